@@ -1,0 +1,48 @@
+// The motion model's two curves: stretch by speed in flight, and stretch through an impact. Paper, sections 3.2 and 3.4.
+#pragma once
+
+#include "elastoon/style.h"
+
+namespace elastoon {
+
+/// Share of the extra stretch that a speed gives, k v / (k v + 1). 0 at no speed, 1 at infinite speed.
+[[nodiscard]] double stretchShare(const Style& style, double speed);
+
+/// Stretch of a body that flies at `speed` m/s: (k v s_max + 1) / (k v + 1). Paper, section 3.2.
+[[nodiscard]] double stretchAtSpeed(const Style& style, double speed);
+
+/// Deepest squash s_mid of an impact met at `relative_speed` m/s. Paper, section 3.4, misprint mended: docs/model.md.
+[[nodiscard]] double deepestSquash(const Style& style, double relative_speed);
+
+/// The rest speed that holds for a body of this length under this gravity: the style's, or the derived one. m/s.
+[[nodiscard]] double restSpeed(const Style& style, double length, double gravity_magnitude);
+
+/// What an impact's curve is made from.
+struct ImpactInput {
+    double length = 1.0;    ///< L, full extent along the principal axis at s = 1, m
+    double speed_in = 0.0;  ///< |v_r|, relative to the surface, m/s
+    double s_in = 1.0;      ///< stretch at the touch
+    double speed_out = 0.0; ///< |v_out - w|, relative to the surface, m/s
+    double s_out = 1.0;     ///< stretch of the flight or rest that follows
+    double rest_speed = 0.0;
+    bool turns = false; ///< the body has to turn, which takes time even where nothing squashes
+};
+
+/// Stretch through an impact, the paper's figure 4: a sine down to s_mid, a cosine up to s_out.
+struct ImpactCurve {
+    double s_in = 1.0, s_mid = 1.0, s_out = 1.0;
+    double omega_in = 0.0, omega_out = 0.0; ///< rad/s; 0 where the half takes no time
+    double t_in = 0.0, t_out = 0.0;         ///< duration of the squash half and of the stretch half, s
+
+    [[nodiscard]] double duration() const { return t_in + t_out; }
+    /// Stretch at local time t; the ends hold outside 0..duration().
+    [[nodiscard]] double at(double t) const;
+};
+
+/// The curve of one impact. Paper, section 3.4; floors and limits: docs/model.md.
+[[nodiscard]] ImpactCurve impactCurve(const Style& style, const ImpactInput& input);
+
+/// Share 0..1 of the whole turn that is done at local time t of an impact: 1/2 at t_in for either easing.
+[[nodiscard]] double turnShare(const ImpactCurve& curve, ImpactEasing easing, double t);
+
+} // namespace elastoon

@@ -1,0 +1,103 @@
+// The closed-form phases that a body's motion is a chain of. Each is a small record; its pose is a pure function of time.
+#pragma once
+
+#include "elastoon/ids.h"
+#include "elastoon/math.h"
+#include "elastoon/model.h"
+#include "elastoon/shape.h"
+
+#include <limits>
+#include <string_view>
+#include <variant>
+
+namespace elastoon {
+
+/// A rigid frame that moves with constant velocity and constant angular velocity.
+struct MovingFrame {
+    double start = 0.0; ///< time at which origin and orientation hold, s
+    Vec3 origin{0.0};
+    Quat orientation{kNoRotation};
+    Vec3 velocity{0.0};         ///< of the origin, m/s
+    Vec3 angular_velocity{0.0}; ///< world axes, rad/s
+
+    [[nodiscard]] bool moves() const;
+    [[nodiscard]] Vec3 originAt(double t) const { return origin + velocity * (t - start); }
+    [[nodiscard]] Quat orientationAt(double t) const;
+    /// Velocity at time t of the frame's material point that is at `point` (world).
+    [[nodiscard]] Vec3 velocityAt(double t, const Vec3& point) const;
+    [[nodiscard]] Vec3 worldFromFrame(double t, const Vec3& point) const;
+    [[nodiscard]] Vec3 frameFromWorld(double t, const Vec3& point) const;
+};
+
+/// A plane that is carried by a frame: what a body is in contact with. It refers to no obstacle, it is a thing of its own.
+struct Surface {
+    MovingFrame frame;
+    Vec3 point{0.0};           ///< on the plane, in the frame
+    Vec3 normal{0.0, 1.0, 0.0}; ///< unit, towards the body, in the frame
+
+    [[nodiscard]] Vec3 normalAt(double t) const { return frame.orientationAt(t) * normal; }
+    [[nodiscard]] Vec3 pointAt(double t) const { return frame.worldFromFrame(t, point); }
+};
+
+/// Which way the axis is laid in flight. Chosen once, when the flight begins. Paper, section 3.2.
+enum class AxisRule : std::uint8_t {
+    Velocity, ///< along the velocity
+    Reversal, ///< near-vertical throw: through the vertical at the apex, the forward end is swapped there
+    Fixed,    ///< nothing turns it: no speed and no gravity
+};
+
+/// Free flight under constant gravity; the stretch and the axis follow the velocity.
+struct Flight {
+    Vec3 position{0.0};            ///< at start
+    Vec3 velocity{0.0};            ///< at start
+    Vec3 gravity{0.0};
+    Quat orientation{kNoRotation}; ///< at start
+    Vec3 up{0.0, 1.0, 0.0};        ///< against gravity
+    Vec3 across{1.0, 0.0, 0.0};    ///< unit, the velocity's direction across gravity
+    double speed_across = 0.0;     ///< v_h, m/s
+    double reversal_speed = 0.0;   ///< epsilon = |g| / reversal_rate, m/s
+    double max_stretch = 1.0, stretch_rate = 0.0;
+    AxisRule rule = AxisRule::Velocity;
+    /// The surface just left. Until leaving_until the body is pushed clear of it along its normal, should it turn or
+    /// lengthen into it; the push depends on time alone.
+    Surface leaving;
+    double leaving_until = -std::numeric_limits<double>::infinity();
+};
+
+/// Squash and stretch against a surface, turning about the contact. Lives in the frame of the surface.
+struct Impact {
+    Surface surface;
+    Vec3 contact_in_shape{0.0}; ///< the material point that sticks
+    Quat orientation{kNoRotation}; ///< at start, in the surface's frame
+    Vec3 turn_axis{0.0, 0.0, 1.0}; ///< unit, in the surface's frame
+    double turn_angle = 0.0;       ///< whole turn, rad, >= 0
+    ImpactCurve curve;
+    ImpactEasing easing = ImpactEasing::Smooth;
+    Vec3 velocity_out{0.0}; ///< relative to the surface, in its frame
+    bool comes_to_rest = false;
+};
+
+/// Still on a surface, carried by it.
+struct Rest {
+    Surface surface;
+    Pose pose; ///< in the surface's frame
+};
+
+/// One phase of one body: immutable once made.
+struct Phase {
+    double start = 0.0;
+    double end = std::numeric_limits<double>::infinity(); ///< an impact's own end; else infinite until an event ends it
+    ObstacleId obstacle; ///< that an impact or rest is against, or that a flight has just left
+    std::variant<Flight, Impact, Rest> motion;
+};
+
+/// flight, impact or rest.
+[[nodiscard]] std::string_view nameOf(const Phase& phase);
+
+/// Pose of a body of this shape at time t of the phase; t is taken as start where it is before it.
+[[nodiscard]] Pose poseAt(const Phase& phase, const Shape& shape, double t);
+
+/// Velocity of the centroid at time t. In an impact it is the difference quotient of the closed form over 2 microseconds.
+[[nodiscard]] Vec3 velocityAt(const Phase& phase, const Shape& shape, double t);
+
+} // namespace elastoon

@@ -1,0 +1,54 @@
+// Everything that bodies did, kept as their chains of phases: any time can be asked for, exactly, forwards or back.
+#pragma once
+
+#include "elastoon/phase.h"
+#include "elastoon/world.h"
+
+#include <vector>
+
+namespace elastoon {
+
+/// The motion of one body.
+class Track {
+public:
+    Track(BodyId body, ShapePtr shape) : body_(body), shape_(std::move(shape)) {}
+
+    [[nodiscard]] BodyId body() const { return body_; }
+    [[nodiscard]] const ShapePtr& shape() const { return shape_; }
+    /// In order of time; a phase ends where the next begins.
+    [[nodiscard]] const std::vector<Phase>& phases() const { return phases_; }
+    /// The phase that holds at t: of two that share it, the later. t before the first gives the first.
+    [[nodiscard]] const Phase& phaseAt(double t) const;
+    [[nodiscard]] Pose poseAt(double t) const;
+    [[nodiscard]] Vec3 velocityAt(double t) const;
+
+private:
+    friend class Timeline;
+    BodyId body_;
+    ShapePtr shape_;
+    std::vector<Phase> phases_;
+};
+
+/// Fills itself from a world: begin() once, then capture() after each step.
+class Timeline {
+public:
+    /// Takes the bodies that are in the world now.
+    void begin(const World& world);
+    /// Takes the phases and events of the last step; bodies added meanwhile get a track.
+    void capture(const World& world);
+
+    [[nodiscard]] const std::vector<Track>& tracks() const { return tracks_; }
+    /// In order of time.
+    [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+    [[nodiscard]] double start() const { return start_; }
+    [[nodiscard]] double end() const { return end_; }
+
+private:
+    Track& trackOf(const World& world, BodyId body);
+
+    std::vector<Track> tracks_;
+    std::vector<Event> events_;
+    double start_ = 0.0, end_ = 0.0;
+};
+
+} // namespace elastoon

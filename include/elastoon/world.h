@@ -1,0 +1,151 @@
+// The world: bodies that squash and stretch, obstacles that they meet, and the step that moves them.
+#pragma once
+
+#include "elastoon/ids.h"
+#include "elastoon/math.h"
+#include "elastoon/phase.h"
+#include "elastoon/result.h"
+#include "elastoon/shape.h"
+#include "elastoon/style.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace elastoon {
+
+/// Runs body(begin, end) over parts of 0..count, in any order, on any threads, and returns when all are done.
+/// A host gives its own job system here. The results of a step do not depend on how the range is cut.
+using ParallelFor = std::function<void(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)>;
+
+struct WorldDef {
+    Vec3 gravity{0.0, -9.81, 0.0}; ///< m/s^2, each component within +-1e6. Default earth's, y up. Paper, section 3.
+    ParallelFor parallel_for;      ///< empty: on the calling thread
+};
+
+/// Start state of a body. It is turned so that its principal axis, +x end first, lies along its heading.
+struct BodyDef {
+    ShapePtr shape; ///< required
+    Style style;
+    Vec3 position{0.0};            ///< of the centroid, m, within +-1e9
+    Vec3 velocity{0.0};            ///< m/s, within +-1e6
+    Quat rotation{kNoRotation};    ///< any length but zero; only its roll about the heading is kept
+    std::uint64_t user_data = 0;   ///< yours; not read
+};
+
+/// A plane (shape empty) or a convex solid that bodies meet. It does not give way.
+struct ObstacleDef {
+    ShapePtr shape;             ///< empty: the half space below the plane through `position`, across `normal`
+    Vec3 normal{0.0, 1.0, 0.0}; ///< of a plane, any length but zero, in the obstacle's frame
+    Vec3 position{0.0};         ///< m, within +-1e9
+    Quat rotation{kNoRotation}; ///< any length but zero
+    Vec3 velocity{0.0};         ///< m/s, within +-1e6
+    Vec3 angular_velocity{0.0}; ///< world axes, rad/s, within +-1e4
+    std::uint64_t user_data = 0;
+
+    /// The plane { x : x . normal = offset }, solid on the side that the normal points away from.
+    [[nodiscard]] static ObstacleDef plane(const Vec3& normal, double offset);
+};
+
+enum class EventType : std::uint8_t {
+    Impact,  ///< a touch began an impact
+    Release, ///< an impact ended and the body flies
+    Rest,    ///< an impact ended and the body is still
+    Wake,    ///< a body at rest flies again
+    Squeeze, ///< a body has no room left
+};
+
+[[nodiscard]] std::string_view nameOf(EventType type);
+
+/// Something that happened in the last step. The curve's fields hold for Impact; elsewhere they repeat the last impact's
+/// (Release, Rest) or are those of standing still (Wake).
+struct Event {
+    double time = 0.0;
+    EventType type = EventType::Impact;
+    BodyId body;
+    ObstacleId other;
+    Vec3 point{0.0};  ///< contact, world
+    Vec3 normal{0.0}; ///< towards the body, world
+    double speed = 0.0; ///< relative to the surface: before the impact, or after it for Release, m/s
+    double s_in = 1.0, s_mid = 1.0, s_out = 1.0;
+    double t_in = 0.0, t_out = 0.0;
+};
+
+/// A phase that began in the last step: the chain of them is the body's whole motion.
+struct PhaseBegun {
+    BodyId body;
+    Phase phase;
+};
+
+/// Bodies do not meet each other; obstacles do not react. Not thread-safe: one call at a time on one world.
+/// Today planes are collided with; convex obstacles are kept and moved, and bodies pass through them.
+class World {
+public:
+    /// Gravity that is not finite or too large is refused.
+    static Result<World> create(const WorldDef& def = {});
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    ~World();
+
+    /// Refused: no shape, numbers that are not finite or out of range, a style out of range, a start inside an obstacle
+    /// deeper than 1e-6 of the body's length.
+    Result<BodyId> addBody(const BodyDef& def);
+    /// False if the id names nothing here. May be called at any time between steps, as all that follow.
+    bool removeBody(BodyId id);
+    Result<ObstacleId> addObstacle(const ObstacleDef& def);
+    /// Bodies that rest on it or are in an impact with it fly on.
+    bool removeObstacle(ObstacleId id);
+
+    [[nodiscard]] bool contains(BodyId id) const;
+    [[nodiscard]] bool contains(ObstacleId id) const;
+    /// All bodies, in the order of their slots.
+    [[nodiscard]] std::vector<BodyId> bodies() const;
+    [[nodiscard]] std::vector<ObstacleId> obstacles() const;
+
+    /// Puts the body there and lets it fly with its present velocity. Refused inside an obstacle.
+    Status setPosition(BodyId id, const Vec3& position);
+    /// The body flies with this velocity from now on; the end of it that is nearer to the heading leads.
+    Status setVelocity(BodyId id, const Vec3& velocity);
+    /// Holds from the body's next phase on; a flight takes it over at once.
+    Status setStyle(BodyId id, const Style& style);
+    /// Flights go on under the new gravity.
+    Status setGravity(const Vec3& gravity);
+    /// The obstacle goes on from where it is with these velocities; bodies on it go along.
+    Status setObstacleMotion(ObstacleId id, const Vec3& velocity, const Vec3& angular_velocity);
+
+    /// Moves the world on by dt seconds. docs/step.md tells how. dt: finite, >= 0 (else nothing happens; asserts).
+    void step(double dt);
+
+    /// Seconds since the world was made.
+    [[nodiscard]] double time() const;
+    [[nodiscard]] const Vec3& gravity() const;
+    /// What happened in the last step, by time, then by body. Valid until the next step.
+    [[nodiscard]] std::span<const Event> events() const;
+    /// The phases that began since the start of the last step, user changes included; by body, then by time.
+    [[nodiscard]] std::vector<PhaseBegun> phasesBegun() const;
+
+    /// The following need an id that contains() knows.
+    [[nodiscard]] Pose pose(BodyId id) const;
+    [[nodiscard]] Vec3 velocity(BodyId id) const;
+    [[nodiscard]] const Phase& phase(BodyId id) const;
+    [[nodiscard]] const ShapePtr& shape(BodyId id) const;
+    [[nodiscard]] const Style& style(BodyId id) const;
+    [[nodiscard]] std::uint64_t userData(BodyId id) const;
+    /// Frame of the obstacle: where it is now and how it moves.
+    [[nodiscard]] const MovingFrame& frame(ObstacleId id) const;
+    [[nodiscard]] const ShapePtr& shape(ObstacleId id) const; ///< null for a plane
+    [[nodiscard]] Vec3 planeNormal(ObstacleId id) const;      ///< of a plane, in its frame
+
+    /// 64 bits over time and over every body's phase and pose: equal worlds have equal hashes, on every machine.
+    [[nodiscard]] std::uint64_t stateHash() const;
+
+private:
+    struct Impl;
+    explicit World(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace elastoon
