@@ -66,7 +66,8 @@ struct Flight {
 
 /// Squash and stretch against a surface, turning about the contact. Lives in the frame of the surface.
 struct Impact {
-    Surface surface;
+    double begun = 0.0; ///< time of the touch, the curve's zero
+    Surface surface;    ///< through the contact point
     Vec3 contact_in_shape{0.0}; ///< the material point that sticks
     Quat orientation{kNoRotation}; ///< at start, in the surface's frame
     Vec3 turn_axis{0.0, 0.0, 1.0}; ///< unit, in the surface's frame

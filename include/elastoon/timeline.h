@@ -34,7 +34,8 @@ class Timeline {
 public:
     /// Takes the bodies that are in the world now.
     void begin(const World& world);
-    /// Takes the phases and events of the last step; bodies added meanwhile get a track.
+    /// Takes the phases and events of the last step; bodies added meanwhile get a track. (Of a body that was added and
+    /// removed again before the step, nothing is kept.)
     void capture(const World& world);
 
     [[nodiscard]] const std::vector<Track>& tracks() const { return tracks_; }
@@ -44,9 +45,10 @@ public:
     [[nodiscard]] double end() const { return end_; }
 
 private:
-    Track& trackOf(const World& world, BodyId body);
+    Track* trackOf(const World& world, BodyId body);
 
     std::vector<Track> tracks_;
+    std::vector<std::size_t> track_of_slot_; ///< index + 1 of the newest track of a slot; 0: none
     std::vector<Event> events_;
     double start_ = 0.0, end_ = 0.0;
 };

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -74,6 +75,13 @@ struct Event {
     double t_in = 0.0, t_out = 0.0;
 };
 
+/// How a body would start inside an obstacle.
+struct Overlap {
+    ObstacleId obstacle;
+    double depth = 0.0; ///< m
+    Vec3 normal{0.0};   ///< way out, unit
+};
+
 /// A phase that began in the last step: the chain of them is the body's whole motion.
 struct PhaseBegun {
     BodyId body;
@@ -93,6 +101,9 @@ public:
     /// Refused: no shape, numbers that are not finite or out of range, a style out of range, a start inside an obstacle
     /// deeper than 1e-6 of the body's length.
     Result<BodyId> addBody(const BodyDef& def);
+    /// Where a body of this definition (which must be a valid one) would start deeper than 1e-6 of its length inside an
+    /// obstacle: the deepest such place. For games that look for room.
+    [[nodiscard]] std::optional<Overlap> overlapOf(const BodyDef& def) const;
     /// False if the id names nothing here. May be called at any time between steps, as all that follow.
     bool removeBody(BodyId id);
     Result<ObstacleId> addObstacle(const ObstacleDef& def);
@@ -125,7 +136,7 @@ public:
     /// What happened in the last step, by time, then by body. Valid until the next step.
     [[nodiscard]] std::span<const Event> events() const;
     /// The phases that began since the start of the last step, user changes included; by body, then by time.
-    [[nodiscard]] std::vector<PhaseBegun> phasesBegun() const;
+    [[nodiscard]] std::span<const PhaseBegun> phasesBegun() const;
 
     /// The following need an id that contains() knows.
     [[nodiscard]] Pose pose(BodyId id) const;

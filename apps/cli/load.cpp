@@ -1,0 +1,48 @@
+// What the commands share: reading a scene with its warnings, running it, and ending with a message.
+#include "commands.h"
+#include "mesh_file.h"
+#include "progress.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace elastoon {
+
+void fail(const Error& error, int code) {
+    fmt::print(stderr, "elastoon: {}\n", error.text());
+    throw CLI::RuntimeError(code);
+}
+
+Scene loadScene(const std::string& file) {
+    Scene scene = orFail(readScene(file, readMeshPoints), kExitBadUse);
+    const auto solid = std::find_if(scene.obstacles.begin(), scene.obstacles.end(),
+                                    [](const SceneObstacle& obstacle) { return obstacle.shape.has_value(); });
+    if (solid != scene.obstacles.end()) {
+        fmt::print(stderr,
+                   "elastoon: warning: obstacle \"{}\" is a solid; this version draws solids, but bodies collide with "
+                   "planes only\n",
+                   solid->name);
+    }
+    return scene;
+}
+
+Performance perform(const Scene& scene, double duration) {
+    constexpr double kStep = 1.0 / 60.0;
+    Performance performance{orFail(stage(scene), kExitBadUse), {}};
+    World& world = performance.staged.world;
+    performance.timeline.begin(world);
+    const auto steps = static_cast<long>(std::ceil(duration / kStep - 1e-9));
+    for (long i = 0; i < steps; ++i) {
+        world.step(std::min(kStep, duration - world.time()));
+        performance.timeline.capture(world);
+        if (interrupted()) {
+            fail({"interrupted; nothing was written", ""});
+        }
+    }
+    return performance;
+}
+
+} // namespace elastoon

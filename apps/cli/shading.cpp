@@ -1,0 +1,223 @@
+// See shading.h.
+#include "shading.h"
+
+#include "sampling.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace elastoon {
+
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kLeastHidden = 0.004F; // a share of the sky that is not worth darkening for
+// Beyond the second distance, in radii of its bound, a thing counts as a ball of its volume, within the first it is met
+// with rays; between the two, both count in part.
+constexpr float kNear = 1.5F, kFarAway = 2.3F;
+constexpr float kLift = 2e-5F; // of the start of a ray off its surface, in radii of the action
+constexpr std::uint32_t kKeyRays = 4, kSkyRays = 2; // on ground and walls, where the soft shadow is all that one sees
+
+// What the directions of a sample are for: each gets its own sequence.
+enum Use : std::uint32_t { kKeyUse = 11, kSkyUse = 12, kBounceUse = 13 };
+
+glm::vec2 unitPoint(SampleKey key, std::uint32_t use) {
+    return sampling::point(sampling::hash(key.pixel, use), key.index);
+}
+
+float fifthPower(float x) {
+    const float square = x * x;
+    return square * square * x;
+}
+
+/// x^32 without the math library.
+float highPower(float x) {
+    for (int i = 0; i < 5; ++i) {
+        x *= x;
+    }
+    return x;
+}
+
+/// Whether the key light can be hidden from the point by any but `self`.
+bool mayShade(const Setting& setting, std::span<const Bound> bounds, const glm::vec3& point, std::size_t self) {
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        if (i == self) {
+            continue;
+        }
+        const glm::vec3 to = bounds[i].centre - point;
+        const float along = glm::dot(to, setting.to_light);
+        if (along < -bounds[i].radius) {
+            continue;
+        }
+        const glm::vec3 aside = to - setting.to_light * along;
+        const float reach = bounds[i].radius * 1.01F + std::max(along, 0.0F) * (kLightSpread * 1.01F);
+        if (glm::dot(aside, aside) < reach * reach) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Share of the sky over the point that a ball hides.
+float hiddenBy(const Bound& bound, const glm::vec3& point, const glm::vec3& normal) {
+    const float radius = bound.mean_radius;
+    const glm::vec3 to = bound.centre - point;
+    const float square = glm::dot(to, to);
+    if (square <= radius * radius) {
+        return 1.0F;
+    }
+    const float facing = std::clamp((glm::dot(to, normal) + 0.5F * radius) / std::sqrt(square), 0.0F, 1.0F);
+    return radius * radius / square * facing;
+}
+
+/// 0: the thing counts as a far ball; 1: with its shape.
+float nearness(const Bound& bound, const glm::vec3& point) {
+    const float distance = glm::length(bound.centre - point) / bound.radius;
+    return std::clamp((kFarAway - distance) / (kFarAway - kNear), 0.0F, 1.0F);
+}
+
+bool anyNear(std::span<const Bound> bounds, const glm::vec3& point, std::size_t self) {
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        if (i != self && nearness(bounds[i], point) > 0.0F) {
+            return true;
+        }
+    }
+    return false;
+}
+
+float greatestHidden(std::span<const Bound> bounds, const glm::vec3& point, const glm::vec3& normal) {
+    float most = 0.0F;
+    for (const Bound& bound : bounds) {
+        most = std::max(most, hiddenBy(bound, point, normal));
+    }
+    return most;
+}
+
+} // namespace
+
+Reach reachOf(const Setting& setting, std::span<const Bound> bounds, const glm::vec3& point, const glm::vec3& normal) {
+    if (anyNear(bounds, point, kNoThing) || mayShade(setting, bounds, point, kNoThing)) {
+        return Reach::Near;
+    }
+    return greatestHidden(bounds, point, normal) > kLeastHidden ? Reach::Far : Reach::None;
+}
+
+float Shader::keyVisible(const glm::vec3& point, const glm::vec3& normal, SampleKey key, std::uint32_t rays) const {
+    glm::vec3 tangent, bitangent;
+    sampling::frameAbout(setting_.to_light, tangent, bitangent);
+    std::uint32_t open = 0;
+    for (std::uint32_t i = 0; i < rays; ++i) {
+        const glm::vec2 disk =
+            sampling::diskPoint(unitPoint({key.pixel, key.index * rays + i}, kKeyUse)) * kLightSpread;
+        const glm::vec3 direction = glm::normalize(setting_.to_light + tangent * disk.x + bitangent * disk.y);
+        open += things_.blocked({point + normal * (kLift * setting_.radius), direction}) ? 0U : 1U;
+    }
+    return static_cast<float>(open) / static_cast<float>(rays);
+}
+
+Color Shader::openIrradiance(const glm::vec3& normal) const {
+    return keyIrradiance(setting_, normal) + skyIrradiance(setting_, normal);
+}
+
+/// What one direction of the sky tells: the light that comes instead of the sky's. Its mean is the change of the sky's
+/// light.
+Color Shader::nearChange(const glm::vec3& point, const glm::vec3& normal, bool things_near, SampleKey key) const {
+    const Ray ray{point + normal * (kLift * setting_.radius),
+                  sampling::cosineDirection(normal, unitPoint(key, kSkyUse))};
+    const Color open = skyRadiance(setting_, ray.direction);
+    ThingHit hit;
+    if (things_near && things_.nearest(ray, kFar, hit)) {
+        const Color bounced = hit.color * openIrradiance(hit.normal) * 0.8F;
+        return (bounced - open) * nearness(things_.bounds()[hit.thing], point);
+    }
+    if (!setting_.ground || glm::dot(ray.direction, setting_.up) >= 0.0F) {
+        return Color(0.0F);
+    }
+    const SettingHit ground = meetSetting(setting_, ray);
+    if (ground.kind != SettingHit::Kind::Ground) {
+        return Color(0.0F);
+    }
+    const glm::vec3 foot = ray.origin + ray.direction * ground.distance;
+    const glm::vec3& up = setting_.up;
+    Color light = skyIrradiance(setting_, up) * (1.0F - greatestHidden(things_.bounds(), foot, up));
+    if (!mayShade(setting_, things_.bounds(), foot, kNoThing)) {
+        light += keyIrradiance(setting_, up);
+    } else {
+        light += keyIrradiance(setting_, up) * keyVisible(foot, up, {key.pixel ^ kBounceUse, key.index}, 1);
+    }
+    return open * (light / openIrradiance(up) - 1.0F);
+}
+
+Color Shader::farChange(std::span<const Bound> bounds, const glm::vec3& point, const glm::vec3& normal,
+                        std::size_t self) const {
+    float hidden = 0.0F;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        if (i != self) {
+            hidden +=
+                hiddenBy(bounds[i], point, normal) * (1.0F - nearness(bounds[i], point));
+        }
+    }
+    return skyIrradiance(setting_, normal) * (-0.8F * std::min(hidden, 0.8F));
+}
+
+Color Shader::irradiance(const glm::vec3& point, const glm::vec3& normal, std::size_t self, SampleKey key) const {
+    const std::vector<Bound>& bounds = things_.bounds();
+    Color light = skyIrradiance(setting_, normal) + farChange(bounds, point, normal, self);
+    const Color direct = keyIrradiance(setting_, normal);
+    if (direct.g > 0.0F) {
+        const bool shaded = mayShade(setting_, bounds, point, self);
+        light += shaded ? direct * keyVisible(point, normal, key, self == kNoThing ? kKeyRays : 1) : direct;
+    }
+    const bool things_near = anyNear(bounds, point, self);
+    if (things_near || self != kNoThing) {
+        const std::uint32_t rays = self == kNoThing ? kSkyRays : 1;
+        Color change(0.0F);
+        for (std::uint32_t i = 0; i < rays; ++i) {
+            change += nearChange(point, normal, things_near, {key.pixel, key.index * rays + i});
+        }
+        light += change / static_cast<float>(rays);
+    }
+    return glm::max(light, Color(0.0F));
+}
+
+Color Shader::litShare(const glm::vec3& point, const glm::vec3& normal, SampleKey key) const {
+    return irradiance(point, normal, kNoThing, key) / openIrradiance(normal);
+}
+
+Color Shader::farShare(const glm::vec3& point, const glm::vec3& normal, std::size_t count) const {
+    const std::span<const Bound> bounds(things_.bounds().data(), count);
+    return Color(1.0F) + farChange(bounds, point, normal, kNoThing) / openIrradiance(normal);
+}
+
+Color Shader::settingColor(const SettingHit& hit, const Ray& sight, SampleKey key) const {
+    const Color backdrop = backdropColor(setting_, sight);
+    if (hit.kind == SettingHit::Kind::Nothing) {
+        return backdrop;
+    }
+    const glm::vec3 point = sight.origin + sight.direction * hit.distance;
+    if (hit.kind == SettingHit::Kind::Ground) {
+        return backdrop * litShare(point, setting_.ground->normal, key);
+    }
+    const DrawnPlane& wall = setting_.walls[hit.wall];
+    const Color share = litShare(point, wall.normal, key);
+    // Walls get a little of the light that the ground has, so that they do not look like holes when they face away.
+    const Color base = wall.color * (openIrradiance(wall.normal) * 0.6F + Color(0.32F));
+    const float presence = wallPresence(setting_, wall, point);
+    return glm::mix(backdrop, base, presence) * glm::mix(Color(1.0F), share, presence);
+}
+
+Color Shader::thingColor(const ThingHit& hit, const Ray& sight, SampleKey key) const {
+    const Color diffuse = hit.color * irradiance(hit.smooth_point, hit.normal, hit.thing, key);
+    const float facing = std::max(0.0F, -glm::dot(hit.normal, sight.direction));
+    const glm::vec3 mirrored = sight.direction + hit.normal * (2.0F * facing);
+    const Color sheen = skyRadiance(setting_, mirrored) * (0.03F + 0.42F * fifthPower(1.0F - facing));
+    const glm::vec3 half = glm::normalize(setting_.to_light - sight.direction);
+    const Color gloss(0.16F * highPower(std::max(0.0F, glm::dot(half, hit.normal))));
+    return diffuse + sheen + gloss;
+}
+
+} // namespace elastoon

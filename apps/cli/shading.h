@@ -1,0 +1,61 @@
+// Light that leaves a surface point towards the eye: key light with soft shadow, sky with occlusion, one bounce.
+#pragma once
+
+#include "ray_scene.h"
+#include "setting.h"
+
+#include <cstdint>
+#include <span>
+
+namespace elastoon {
+
+/// Which sample of which pixel: seeds the directions that are tried.
+struct SampleKey {
+    std::uint32_t pixel = 0;
+    std::uint32_t index = 0;
+};
+
+/// No thing: a point of the ground or of a wall.
+inline constexpr std::size_t kNoThing = ~std::size_t{0};
+
+/// How things can change the light on a point of the setting or of a solid.
+enum class Reach : std::uint8_t {
+    None, ///< not to be seen
+    Far,  ///< a little less sky: closed form, smooth
+    Near, ///< shadow and closeness: rays
+};
+
+[[nodiscard]] Reach reachOf(const Setting& setting, std::span<const Bound> bounds, const glm::vec3& point,
+                            const glm::vec3& normal);
+
+/// Looks at one moment. Rays are shot only where a thing's bound can matter; everything else is closed form, without
+/// noise.
+class Shader {
+public:
+    Shader(const Setting& setting, const RayScene& things) : setting_(setting), things_(things) {}
+
+    /// Light of a point of a thing that is seen along the ray.
+    [[nodiscard]] Color thingColor(const ThingHit& hit, const Ray& sight, SampleKey key) const;
+    /// Share of the light that a point of the ground or a wall gets, of what it would get with nothing in the way.
+    [[nodiscard]] Color litShare(const glm::vec3& point, const glm::vec3& normal, SampleKey key) const;
+    /// The same where only the first `count` things are new, and far: Reach::Far.
+    [[nodiscard]] Color farShare(const glm::vec3& point, const glm::vec3& normal, std::size_t count) const;
+    /// Colour of the setting along the ray, with shadows.
+    [[nodiscard]] Color settingColor(const SettingHit& hit, const Ray& sight, SampleKey key) const;
+
+private:
+    [[nodiscard]] float keyVisible(const glm::vec3& point, const glm::vec3& normal, SampleKey key,
+                                   std::uint32_t rays) const;
+    [[nodiscard]] Color irradiance(const glm::vec3& point, const glm::vec3& normal, std::size_t self,
+                                   SampleKey key) const;
+    [[nodiscard]] Color nearChange(const glm::vec3& point, const glm::vec3& normal, bool things_near,
+                                   SampleKey key) const;
+    [[nodiscard]] Color farChange(std::span<const Bound> bounds, const glm::vec3& point, const glm::vec3& normal,
+                                  std::size_t self) const;
+    [[nodiscard]] Color openIrradiance(const glm::vec3& normal) const;
+
+    const Setting& setting_;
+    const RayScene& things_;
+};
+
+} // namespace elastoon

@@ -1,0 +1,31 @@
+// See assert.h.
+#include "elastoon/assert.h"
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+
+namespace elastoon {
+
+namespace {
+
+void printAndAbort(const char* condition, const char* message, const char* file, int line) {
+    std::fprintf(stderr, "elastoon: %s (%s, at %s:%d)\n", message, condition, file, line);
+#ifndef NDEBUG
+    std::abort();
+#endif
+}
+
+std::atomic<AssertHandler> current_handler{printAndAbort};
+
+} // namespace
+
+AssertHandler setAssertHandler(AssertHandler handler) {
+    return current_handler.exchange(handler != nullptr ? handler : printAndAbort);
+}
+
+void assertionFailed(const char* condition, const char* message, const char* file, int line) {
+    current_handler.load()(condition, message, file, line);
+}
+
+} // namespace elastoon

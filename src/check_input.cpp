@@ -1,0 +1,89 @@
+// See check_input.h.
+#include "check_input.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace elastoon {
+
+namespace {
+
+std::optional<Error> checkRotation(const Quat& q, const char* what) {
+    const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+    if (std::isfinite(square) && square > 1e-20) {
+        return std::nullopt;
+    }
+    return Error{"must be a quaternion x y z w with finite numbers that are not all zero", what};
+}
+
+} // namespace
+
+std::string shortNumber(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::optional<Error> checkVector(const Vec3& value, double most, const char* what) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(std::fabs(value[axis]) <= most)) {
+            return Error{"must be three finite numbers within +-" + shortNumber(most) + ", has " +
+                             shortNumber(value[axis]),
+                         what};
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> checkStyle(const Style& style) {
+    for (const StyleParameter& parameter : styleParameters()) {
+        const double value = parameterValue(style, parameter);
+        if (parameter.may_be_derived && value == kDerived) {
+            continue;
+        }
+        // A value that was converted to the field's unit and back may miss its bound by rounding.
+        const double slack = 1e-12 * std::fabs(parameter.maximum);
+        if (!(value >= parameter.minimum - slack && value <= parameter.maximum + slack)) {
+            return Error{"must be from " + shortNumber(parameter.minimum) + " to " + shortNumber(parameter.maximum) +
+                             (parameter.unit.empty() ? "" : " " + std::string(parameter.unit)) + ", is " +
+                             shortNumber(value),
+                         "style." + std::string(parameter.name)};
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> checkBodyDef(const BodyDef& def) {
+    if (!def.shape) {
+        return Error{"a body needs a shape: make one with Shape::sphere() or its like", "shape"};
+    }
+    if (auto error = checkStyle(def.style)) {
+        return error;
+    }
+    if (auto error = checkVector(def.position, kMostPosition, "position")) {
+        return error;
+    }
+    if (auto error = checkVector(def.velocity, kMostSpeed, "velocity")) {
+        return error;
+    }
+    return checkRotation(def.rotation, "rotation");
+}
+
+std::optional<Error> checkObstacleDef(const ObstacleDef& def) {
+    if (auto error = checkVector(def.position, kMostPosition, "position")) {
+        return error;
+    }
+    if (auto error = checkVector(def.velocity, kMostSpeed, "velocity")) {
+        return error;
+    }
+    if (auto error = checkVector(def.angular_velocity, kMostSpin, "angular_velocity")) {
+        return error;
+    }
+    const double length = glm::length(def.normal);
+    if (!(std::isfinite(length) && length > 1e-12)) {
+        return Error{"must be three finite numbers that are not all zero", "normal"};
+    }
+    return checkRotation(def.rotation, "rotation");
+}
+
+} // namespace elastoon

@@ -1,0 +1,82 @@
+// See dmath.h. Power series on reduced arguments: their remainders are below 1e-18 there.
+#include "dmath.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace elastoon {
+
+namespace {
+
+// pi/2 in three parts of 33, 33 and 53 bits: k * part is exact for |k| < 2^20 in the first two.
+constexpr double kHalfPiHigh = 0x1.921fb544p+0;
+constexpr double kHalfPiMiddle = 0x1.0b4611a6p-34;
+constexpr double kHalfPiLow = 0x1.3198a2e037073p-69;
+
+double sinSeries(double x) {
+    const double x2 = x * x;
+    double sum = 1.0;
+    for (int n = 20; n >= 2; n -= 2) {
+        sum = 1.0 - x2 / (n * (n + 1)) * sum;
+    }
+    // The leading x is added last, so that the sum's rounding weighs little.
+    return x + x * (sum - 1.0);
+}
+
+double cosSeries(double x) {
+    const double x2 = x * x;
+    double sum = 1.0;
+    for (int n = 19; n >= 3; n -= 2) {
+        sum = 1.0 - x2 / (n * (n + 1)) * sum;
+    }
+    return 1.0 - 0.5 * x2 * sum;
+}
+
+/// atan for 0 <= x <= 1: the angle is halved twice, then a series.
+double atanUnit(double x) {
+    const double half = x / (1.0 + std::sqrt(1.0 + x * x));
+    const double quarter = half / (1.0 + std::sqrt(1.0 + half * half));
+    const double q2 = quarter * quarter;
+    double sum = 0.0;
+    for (int n = 25; n >= 3; n -= 2) {
+        sum = q2 * (1.0 / n - sum);
+    }
+    return 4.0 * (quarter - quarter * sum);
+}
+
+} // namespace
+
+SinCos detSinCos(double angle) {
+    const double k = std::floor(angle * (2.0 / kPi) + 0.5);
+    const double reduced = ((angle - k * kHalfPiHigh) - k * kHalfPiMiddle) - k * kHalfPiLow;
+    const double s = sinSeries(reduced);
+    const double c = cosSeries(reduced);
+    switch (static_cast<std::int64_t>(k) & 3) {
+    case 0:
+        return {s, c};
+    case 1:
+        return {c, -s};
+    case 2:
+        return {-s, -c};
+    default:
+        return {-c, s};
+    }
+}
+
+double detAtan2(double y, double x) {
+    const double ax = std::fabs(x);
+    const double ay = std::fabs(y);
+    if (ax == 0.0 && ay == 0.0) {
+        return 0.0;
+    }
+    const double first = ay <= ax ? atanUnit(ay / ax) : 0.5 * kPi - atanUnit(ax / ay);
+    const double upper = x < 0.0 ? kPi - first : first;
+    return y < 0.0 ? -upper : upper;
+}
+
+double detAcos(double x) {
+    const double clamped = x > 1.0 ? 1.0 : (x < -1.0 ? -1.0 : x);
+    return detAtan2(std::sqrt((1.0 - clamped) * (1.0 + clamped)), clamped);
+}
+
+} // namespace elastoon

@@ -1,0 +1,40 @@
+// Free flight: how it begins, its pose, and the bounds on its motion that the search for touches relies on.
+#pragma once
+
+#include "elastoon/phase.h"
+#include "elastoon/style.h"
+
+namespace elastoon {
+
+/// Which end of a body leads when a flight turns it to its heading.
+enum class Lead : std::uint8_t {
+    PlusX,   ///< the +x end: a body that is made
+    Nearest, ///< the end that has less to turn: everything later
+};
+
+/// A flight from this pose (stretch unused) with this velocity. Nothing is being left yet.
+[[nodiscard]] Flight beginFlight(const Pose& pose, const Vec3& velocity, const Vec3& gravity, const Style& style,
+                                 Lead lead);
+
+[[nodiscard]] Vec3 flightVelocity(const Flight& flight, double elapsed);
+/// Direction in which the leading end points (world, unit); with AxisRule::Fixed, the +x end.
+[[nodiscard]] Vec3 leadingAxis(const Flight& flight, double elapsed);
+/// Pose without the push off the surface that is being left.
+[[nodiscard]] Pose unpushedPose(const Flight& flight, double elapsed);
+/// Pose at `elapsed` s after the flight began at time `start`.
+[[nodiscard]] Pose flightPose(const Flight& flight, const Shape& shape, double start, double elapsed);
+
+/// Until when a body that leaves the surface with this velocity at time t is to be pushed clear of it: as long as it
+/// parts faster than `least_speed` along the normal. -infinity when it does not.
+[[nodiscard]] double leavingUntil(const Surface& surface, double t, const Vec3& velocity, const Vec3& gravity,
+                                  double least_speed);
+
+/// Bounds that hold at every time within [from, to] (s after the flight's begin).
+struct FlightBounds {
+    double reach = 0.0;      ///< greatest distance of a point of the body from its centroid, m
+    double shape_rate = 0.0; ///< greatest speed of a point of the body relative to its centroid, m/s
+    double speed = 0.0;      ///< greatest speed of the unpushed centroid, m/s
+};
+[[nodiscard]] FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from, double to);
+
+} // namespace elastoon

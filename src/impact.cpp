@@ -1,0 +1,159 @@
+// Based on: Chenney et al., NPAR 2002, sections 3.4 and 3.5. Where it deviates: docs/model.md, docs/impact.md.
+#include "impact.h"
+
+#include "contact.h"
+#include "dmath.h"
+#include "flight.h"
+#include "rotation.h"
+
+#include <algorithm>
+
+namespace elastoon {
+
+namespace {
+
+/// Normal speeds below this share of the rest speed (and 1 nm/s) count as none.
+constexpr double kNoSpeed = 1e-9;
+/// A turn below this angle (rad) is rounding, and takes no time.
+constexpr double kNoTurn = 1e-9;
+
+/// What is known of the contact, at the moment of the touch, in the world.
+struct Meeting {
+    Vec3 normal{0.0};
+    Vec3 relative_velocity{0.0};
+    double normal_speed = 0.0; ///< of parting; negative when approaching
+    double rest_speed = 0.0;
+    bool can_hold = false;
+};
+
+/// v_out - w: the normal part reflected and reduced, the tangential part kept. A surface that cannot hold the body
+/// lets it go with the rest speed at least.
+Vec3 relativeVelocityOut(const Meeting& meeting, double restitution, bool comes_to_rest) {
+    if (comes_to_rest) {
+        return Vec3(0.0);
+    }
+    const Vec3 tangential = meeting.relative_velocity - meeting.normal * meeting.normal_speed;
+    const double reflected = restitution * std::max(0.0, -meeting.normal_speed);
+    return tangential + meeting.normal * (meeting.can_hold ? reflected : std::max(reflected, meeting.rest_speed));
+}
+
+/// The end of the axis that points away from the surface. Turning it, and not the other, is the paper's forward swap.
+Vec3 endAwayFrom(const Vec3& axis, const Vec3& normal) {
+    return glm::dot(axis, normal) < 0.0 ? -axis : axis;
+}
+
+/// The turn about the contact, in the surface's frame, and the stretch that the coming flight begins with.
+void planTurn(Impact& impact, const Touching& touching, const Meeting& meeting, const Style& style) {
+    const double end = touching.time + impact.curve.duration();
+    const Quat frame_at_end = impact.surface.frame.orientationAt(end);
+    Vec3 target = meeting.normal;
+    if (impact.comes_to_rest) {
+        target = impact.surface.normal;
+    } else {
+        const Vec3 velocity = velocityAfter(impact, end);
+        const Pose unturned{Vec3(0.0), frame_at_end * impact.orientation, 1.0};
+        const Flight next = beginFlight(unturned, velocity, touching.gravity, style, Lead::Nearest);
+        const Vec3 axis = next.rule == AxisRule::Fixed ? principalAxis(unturned.orientation) : leadingAxis(next, 0.0);
+        target = endAwayFrom(glm::conjugate(frame_at_end) * axis, impact.surface.normal);
+        impact.curve.s_out = stretchAtSpeed(style, glm::length(velocity));
+    }
+    const Vec3 from = endAwayFrom(principalAxis(impact.orientation), impact.surface.normal);
+    const Turn turn = turnBetween(from, target, impact.surface.normal);
+    impact.turn_axis = turn.axis;
+    impact.turn_angle = turn.angle;
+}
+
+ImpactInput curveInput(const Impact& impact, const Touching& touching, const Meeting& meeting, const Style& style,
+                       double length) {
+    const double speed_out = glm::length(impact.velocity_out);
+    const double s_out =
+        impact.comes_to_rest ? 1.0 : stretchAtSpeed(style, glm::length(velocityAfter(impact, touching.time)));
+    return {.length = length,
+            .speed_in = glm::length(meeting.relative_velocity),
+            .s_in = touching.pose.stretch,
+            .speed_out = speed_out,
+            .s_out = s_out,
+            .rest_speed = meeting.rest_speed,
+            .turns = impact.turn_angle > kNoTurn};
+}
+
+} // namespace
+
+bool canHold(const Surface& surface, double t, const Vec3& gravity, const Style& style) {
+    const double pull = glm::length(gravity);
+    return pull > 0.0 && glm::dot(surface.normalAt(t), gravity) <= -pull * detSinCos(style.rest_slope).cos;
+}
+
+std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, const Style& style) {
+    const double t = touching.time;
+    const MovingFrame& frame = touching.surface.frame;
+    Meeting meeting;
+    meeting.normal = touching.surface.normalAt(t);
+    Vec3 contact = contactPoint(shape, touching.pose, meeting.normal);
+    contact -= meeting.normal * glm::dot(meeting.normal, contact - touching.surface.pointAt(t));
+    meeting.relative_velocity = touching.velocity - frame.velocityAt(t, contact);
+    meeting.normal_speed = glm::dot(meeting.relative_velocity, meeting.normal);
+    meeting.rest_speed = restSpeed(style, shape.length(), glm::length(touching.gravity));
+    meeting.can_hold = canHold(touching.surface, t, touching.gravity, style);
+
+    const double slow = (meeting.can_hold ? meeting.rest_speed : 0.0) + kNoSpeed * (1.0 + meeting.rest_speed);
+    if (meeting.normal_speed > slow) {
+        return std::nullopt;
+    }
+    Impact impact;
+    impact.begun = t;
+    impact.surface = touching.surface;
+    impact.surface.point = frame.frameFromWorld(t, contact);
+    impact.easing = style.impact_easing;
+    const Quat world_from_frame = frame.orientationAt(t);
+    impact.orientation = unitOf(glm::conjugate(world_from_frame) * touching.pose.orientation);
+    impact.contact_in_shape =
+        (glm::conjugate(touching.pose.orientation) * (contact - touching.pose.position)) / scaleOf(touching.pose.stretch);
+    const double reflected = style.restitution * std::max(0.0, -meeting.normal_speed);
+    impact.comes_to_rest = meeting.can_hold && reflected < meeting.rest_speed;
+    impact.velocity_out = glm::conjugate(world_from_frame) *
+                          relativeVelocityOut(meeting, style.restitution, impact.comes_to_rest);
+
+    // Whether it turns decides whether it takes time, and on a turning surface the time decides how far it turns.
+    for (int pass = 0; pass < 2; ++pass) {
+        impact.curve = impactCurve(style, curveInput(impact, touching, meeting, style, shape.length()));
+        planTurn(impact, touching, meeting, style);
+    }
+    return impact;
+}
+
+Pose impactPose(const Impact& impact, const Shape& shape, double t) {
+    const double elapsed = t - impact.begun;
+    const double share = turnShare(impact.curve, impact.easing, elapsed);
+    Pose in_frame;
+    in_frame.stretch = impact.curve.at(elapsed);
+    in_frame.orientation = rotationAbout(impact.turn_axis, impact.turn_angle * share) * impact.orientation;
+
+    // The contact's material point stays under the contact; then the body is moved along the normal until it touches.
+    const Vec3 normal = impact.surface.normal;
+    const Vec3 lever = in_frame.orientation * (scaleOf(in_frame.stretch) * impact.contact_in_shape);
+    const double reach = reachTowards(shape, in_frame, -normal);
+    in_frame.position = impact.surface.point - lever + normal * (glm::dot(normal, lever) + reach);
+
+    const MovingFrame& frame = impact.surface.frame;
+    const Quat world_from_frame = frame.orientationAt(t);
+    return {frame.originAt(t) + world_from_frame * in_frame.position, world_from_frame * in_frame.orientation,
+            in_frame.stretch};
+}
+
+Vec3 impactVelocity(const Impact& impact, const Shape& shape, double t, double end) {
+    constexpr double kHalfSpan = 1e-6;
+    const double from = std::max(t - kHalfSpan, impact.begun);
+    const double to = std::min(t + kHalfSpan, end);
+    if (to - from < 0.5 * kHalfSpan) {
+        return velocityAfter(impact, end);
+    }
+    return (impactPose(impact, shape, to).position - impactPose(impact, shape, from).position) / (to - from);
+}
+
+Vec3 velocityAfter(const Impact& impact, double end) {
+    const MovingFrame& frame = impact.surface.frame;
+    return frame.velocityAt(end, impact.surface.pointAt(end)) + frame.orientationAt(end) * impact.velocity_out;
+}
+
+} // namespace elastoon

@@ -1,0 +1,32 @@
+// The impact: what a touch makes of a flight, and the pose while the body squashes, turns and stretches at the contact.
+#pragma once
+
+#include "elastoon/phase.h"
+#include "elastoon/style.h"
+
+#include <optional>
+
+namespace elastoon {
+
+/// A body in flight at the moment it touches.
+struct Touching {
+    double time = 0.0;
+    Pose pose;
+    Vec3 velocity{0.0};
+    Vec3 gravity{0.0};
+    Surface surface; ///< its point and normal, in its frame; the point may lie anywhere on the plane
+};
+
+/// Whether the surface can hold a body of this style at rest at time t: it is level enough. Never without gravity.
+[[nodiscard]] bool canHold(const Surface& surface, double t, const Vec3& gravity, const Style& style);
+
+/// The impact that the touch begins, or none where the body is parting from the surface and not slow: then it flies on,
+/// pushed clear.
+[[nodiscard]] std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, const Style& style);
+
+[[nodiscard]] Pose impactPose(const Impact& impact, const Shape& shape, double t);
+[[nodiscard]] Vec3 impactVelocity(const Impact& impact, const Shape& shape, double t, double end);
+/// Velocity (world) of the flight that follows, at the impact's end.
+[[nodiscard]] Vec3 velocityAfter(const Impact& impact, double end);
+
+} // namespace elastoon

@@ -1,0 +1,78 @@
+// See phase.h: moving frames, and the dispatch from a phase to its pose.
+#include "elastoon/phase.h"
+
+#include "flight.h"
+#include "impact.h"
+#include "rotation.h"
+
+#include <algorithm>
+
+namespace elastoon {
+
+bool MovingFrame::moves() const {
+    return velocity != Vec3(0.0) || angular_velocity != Vec3(0.0);
+}
+
+Quat MovingFrame::orientationAt(double t) const {
+    const double rate = glm::length(angular_velocity);
+    if (rate == 0.0) {
+        return orientation;
+    }
+    return unitOf(rotationAbout(angular_velocity / rate, rate * (t - start)) * orientation);
+}
+
+Vec3 MovingFrame::velocityAt(double t, const Vec3& point) const {
+    return velocity + glm::cross(angular_velocity, point - originAt(t));
+}
+
+Vec3 MovingFrame::worldFromFrame(double t, const Vec3& point) const {
+    return originAt(t) + orientationAt(t) * point;
+}
+
+Vec3 MovingFrame::frameFromWorld(double t, const Vec3& point) const {
+    return glm::conjugate(orientationAt(t)) * (point - originAt(t));
+}
+
+std::string_view nameOf(const Phase& phase) {
+    constexpr std::string_view kNames[] = {"flight", "impact", "rest"};
+    return kNames[phase.motion.index()];
+}
+
+namespace {
+
+Pose restPose(const Rest& rest, double t) {
+    const MovingFrame& frame = rest.surface.frame;
+    if (!frame.moves()) {
+        return {frame.origin + frame.orientation * rest.pose.position, frame.orientation * rest.pose.orientation,
+                rest.pose.stretch};
+    }
+    return {frame.worldFromFrame(t, rest.pose.position), frame.orientationAt(t) * rest.pose.orientation,
+            rest.pose.stretch};
+}
+
+} // namespace
+
+Pose poseAt(const Phase& phase, const Shape& shape, double t) {
+    const double time = std::max(t, phase.start);
+    if (const auto* flight = std::get_if<Flight>(&phase.motion)) {
+        return flightPose(*flight, shape, phase.start, time - phase.start);
+    }
+    if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
+        return impactPose(*impact, shape, time);
+    }
+    return restPose(std::get<Rest>(phase.motion), time);
+}
+
+Vec3 velocityAt(const Phase& phase, const Shape& shape, double t) {
+    const double time = std::max(t, phase.start);
+    if (const auto* flight = std::get_if<Flight>(&phase.motion)) {
+        return flightVelocity(*flight, time - phase.start);
+    }
+    if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
+        return impactVelocity(*impact, shape, time, phase.end);
+    }
+    const auto& rest = std::get<Rest>(phase.motion);
+    return rest.surface.frame.velocityAt(time, restPose(rest, time).position);
+}
+
+} // namespace elastoon

@@ -1,0 +1,211 @@
+// The solids, as points handed to the hull; their frames are laid by the solids' own symmetry. See shape.h.
+#include "elastoon/shape.h"
+
+#include "dmath.h"
+#include "hull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace elastoon {
+
+namespace {
+
+std::string numberText(double value) {
+    std::string text = std::to_string(value);
+    return text;
+}
+
+std::optional<Error> checkSize(double value, const char* what) {
+    if (std::isfinite(value) && value >= Shape::kMinSize && value <= Shape::kMaxSize) {
+        return std::nullopt;
+    }
+    return Error{std::string("must be a length from 1e-9 to 1e9 m, is ") + numberText(value), what};
+}
+
+std::optional<Error> checkSides(int value, int least, int most, int step, const char* what) {
+    if (value >= least && value <= most && value % step == 0) {
+        return std::nullopt;
+    }
+    return Error{"must be a multiple of " + std::to_string(step) + " from " + std::to_string(least) + " to " +
+                     std::to_string(most) + ", is " + std::to_string(value),
+                 what};
+}
+
+/// Corner i of n on the unit circle; the four on the axes are exact.
+std::array<double, 2> onCircle(int i, int n) {
+    const int quarter = n / 4;
+    const SinCos within = detSinCos(0.5 * kPi * (i % quarter) / quarter);
+    const double c = i % quarter == 0 ? 1.0 : within.cos;
+    const double s = i % quarter == 0 ? 0.0 : within.sin;
+    switch (i / quarter % 4) {
+    case 0:
+        return {c, s};
+    case 1:
+        return {-s, c};
+    case 2:
+        return {-c, -s};
+    default:
+        return {s, -c};
+    }
+}
+
+void addRing(std::vector<Vec3>& points, double x, double radius, int sides) {
+    for (int i = 0; i < sides; ++i) {
+        const auto [c, s] = onCircle(i, sides);
+        points.emplace_back(x, radius * c, radius * s);
+    }
+}
+
+/// Point of the octahedron's edge-cut lattice, drawn out to the unit sphere.
+Vec3 onSphere(int a, int b, int c) {
+    return glm::normalize(Vec3(a, b, c));
+}
+
+} // namespace
+
+std::string_view nameOf(ShapeKind kind) {
+    constexpr std::string_view kNames[] = {"sphere", "box", "cylinder", "cone", "capsule", "hull"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+Result<ShapePtr> Shape::sphere(double radius, int cuts) {
+    if (auto error = checkSize(radius, "radius")) {
+        return *error;
+    }
+    if (auto error = checkSides(cuts, 2, 64, 2, "cuts")) {
+        return *error;
+    }
+    std::vector<Vec3> points;
+    for (int x = -cuts; x <= cuts; ++x) {
+        const int left = cuts - std::abs(x);
+        for (int y = -left; y <= left; ++y) {
+            const int z = left - std::abs(y);
+            points.push_back(onSphere(x, y, z) * radius);
+            if (z != 0) {
+                points.push_back(onSphere(x, y, -z) * radius);
+            }
+        }
+    }
+    return fromPoints(ShapeKind::Sphere, std::move(points), radius);
+}
+
+Result<ShapePtr> Shape::box(const Vec3& size) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (auto error = checkSize(size[axis], "size")) {
+            return *error;
+        }
+    }
+    std::vector<Vec3> points;
+    for (int corner = 0; corner < 8; ++corner) {
+        points.emplace_back((corner & 1) != 0 ? 0.5 * size.x : -0.5 * size.x,
+                            (corner & 2) != 0 ? 0.5 * size.y : -0.5 * size.y,
+                            (corner & 4) != 0 ? 0.5 * size.z : -0.5 * size.z);
+    }
+    return fromPoints(ShapeKind::Box, std::move(points), 0.0);
+}
+
+Result<ShapePtr> Shape::cylinder(double radius, double length, int sides) {
+    for (auto error : {checkSize(radius, "radius"), checkSize(length, "length"), checkSides(sides, 8, 256, 4, "sides")}) {
+        if (error) {
+            return *error;
+        }
+    }
+    std::vector<Vec3> points;
+    addRing(points, -0.5 * length, radius, sides);
+    addRing(points, 0.5 * length, radius, sides);
+    return fromPoints(ShapeKind::Cylinder, std::move(points), radius);
+}
+
+Result<ShapePtr> Shape::cone(double radius, double length, int sides) {
+    for (auto error : {checkSize(radius, "radius"), checkSize(length, "length"), checkSides(sides, 8, 256, 4, "sides")}) {
+        if (error) {
+            return *error;
+        }
+    }
+    std::vector<Vec3> points;
+    addRing(points, -0.25 * length, radius, sides);
+    points.emplace_back(0.75 * length, 0.0, 0.0);
+    return fromPoints(ShapeKind::Cone, std::move(points), radius);
+}
+
+Result<ShapePtr> Shape::capsule(double radius, double length, int sides) {
+    for (auto error : {checkSize(radius, "radius"), checkSize(length, "length"), checkSides(sides, 8, 64, 4, "sides")}) {
+        if (error) {
+            return *error;
+        }
+    }
+    if (length < 2.0 * radius) {
+        return Error{"must be at least twice the radius (it is measured from tip to tip), is " + numberText(length),
+                     "length"};
+    }
+    std::vector<Vec3> points;
+    const double middle = 0.5 * length - radius;
+    const int rings = sides / 4;
+    for (int i = 0; i < rings; ++i) {
+        const auto [c, s] = onCircle(i, sides);
+        addRing(points, middle + radius * s, radius * c, sides);
+        addRing(points, -middle - radius * s, radius * c, sides);
+    }
+    points.emplace_back(0.5 * length, 0.0, 0.0);
+    points.emplace_back(-0.5 * length, 0.0, 0.0);
+    return fromPoints(ShapeKind::Capsule, std::move(points), radius);
+}
+
+Result<ShapePtr> Shape::hull(std::span<const Vec3> points) {
+    return fromPoints(ShapeKind::Hull, {points.begin(), points.end()}, 0.0);
+}
+
+Result<ShapePtr> Shape::fromPoints(ShapeKind kind, std::vector<Vec3> points, double radius) {
+    auto made = convexHull(points);
+    if (!made) {
+        return made.error();
+    }
+    Polytope& polytope = made.value();
+    const auto shape = std::shared_ptr<Shape>(new Shape);
+    shape->kind_ = kind;
+    shape->radius_ = radius;
+    const MassCenter mass = massCenterOf(polytope);
+    shape->volume_ = mass.volume;
+    if (kind == ShapeKind::Hull) {
+        shape->centroid_of_input_ = mass.centroid;
+        for (Vec3& vertex : polytope.vertices) {
+            vertex -= mass.centroid;
+        }
+    }
+    Vec3 low(polytope.vertices.front());
+    Vec3 high = low;
+    for (const Vec3& vertex : polytope.vertices) {
+        low = glm::min(low, vertex);
+        high = glm::max(high, vertex);
+        shape->bounding_radius_ = std::max(shape->bounding_radius_, glm::length(vertex));
+        shape->reach_along_ = std::max(shape->reach_along_, std::fabs(vertex.x));
+        shape->reach_across_ = std::max(shape->reach_across_, std::sqrt(vertex.y * vertex.y + vertex.z * vertex.z));
+    }
+    shape->extents_ = high - low;
+    shape->length_ = shape->extents_.x;
+    shape->vertices_ = std::move(polytope.vertices);
+    shape->face_vertices_ = std::move(polytope.face_vertices);
+    shape->face_begin_ = std::move(polytope.face_begin);
+    return ShapePtr(shape);
+}
+
+std::span<const std::uint32_t> Shape::face(std::size_t index) const {
+    return std::span(face_vertices_).subspan(face_begin_[index], face_begin_[index + 1] - face_begin_[index]);
+}
+
+std::size_t Shape::supportVertex(const Vec3& direction) const {
+    std::size_t best = 0;
+    double furthest = glm::dot(direction, vertices_[0]);
+    for (std::size_t i = 1; i < vertices_.size(); ++i) {
+        const double reach = glm::dot(direction, vertices_[i]);
+        if (reach > furthest) {
+            furthest = reach;
+            best = i;
+        }
+    }
+    return best;
+}
+
+} // namespace elastoon

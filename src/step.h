@@ -1,0 +1,63 @@
+// The parts of World::step, in its order. docs/step.md tells them in the same words.
+#pragma once
+
+#include "elastoon/world.h"
+#include "flight.h"
+
+#include <vector>
+
+namespace elastoon {
+
+struct BodySlot {
+    std::uint32_t generation = 0;
+    bool used = false;
+    ShapePtr shape;
+    Style style;
+    Phase phase;
+    std::uint64_t user_data = 0;
+};
+
+struct ObstacleSlot {
+    std::uint32_t generation = 0;
+    bool used = false;
+    ShapePtr shape;             ///< null for a plane
+    Vec3 normal{0.0, 1.0, 0.0}; ///< of a plane, unit, in the frame
+    MovingFrame frame;
+    std::uint64_t user_data = 0;
+
+    [[nodiscard]] bool isPlane() const { return shape == nullptr; }
+    /// The surface that a plane shows.
+    [[nodiscard]] Surface surface() const { return {frame, Vec3(0.0), normal}; }
+};
+
+/// What bodies meet and what pulls them: all that the motion of one body reads besides itself.
+struct Surroundings {
+    Vec3 gravity{0.0};
+    std::vector<ObstacleSlot> obstacles;
+};
+
+/// What the motion of bodies leaves behind.
+struct Happenings {
+    std::vector<Event> events;
+    std::vector<PhaseBegun> phases;
+};
+
+[[nodiscard]] inline BodyId idOfBody(std::size_t index, const BodySlot& slot) {
+    return {static_cast<std::uint32_t>(index + 1), slot.generation};
+}
+[[nodiscard]] inline ObstacleId idOfObstacle(std::size_t index, const ObstacleSlot& slot) {
+    return {static_cast<std::uint32_t>(index + 1), slot.generation};
+}
+
+/// Gives the body its next phase and notes it.
+void beginPhase(BodySlot& body, BodyId id, Phase phase, Happenings& out);
+
+/// Lets the body fly from this pose at time t. A surface that it touches and parts from is left; others are met at once.
+void beginFlying(const Surroundings& around, BodySlot& body, BodyId id, double t, const Pose& pose,
+                 const Vec3& velocity, Lead lead, Happenings& out);
+
+/// Moves one body from time `from` to `to` through all its phases.
+/// Reads the surroundings and no other body; writes the body's phase and `out`.
+void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out);
+
+} // namespace elastoon

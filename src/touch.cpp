@@ -1,0 +1,161 @@
+// Based on: conservative advancement (Mirtich 1996) over the closed-form flight; the finish is the Illinois variant of
+// regula falsi. The bounds on turning and lengthening are those of flightBounds(). docs/impact-time.md.
+#include "touch.h"
+
+#include "contact.h"
+#include "flight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace elastoon {
+
+namespace {
+
+/// Below this gap (share of the length) the root is bracketed and finished.
+constexpr double kFinishGap = 1e-5;
+constexpr int kMostAdvances = 100000;
+
+/// One flight against one plane.
+struct Approach {
+    const Phase& phase;
+    const Flight& flight;
+    const Shape& shape;
+    const Surface& surface;
+
+    [[nodiscard]] double gap(double t) const {
+        return gapTo(surface, shape, flightPose(flight, shape, phase.start, t - phase.start), t);
+    }
+    /// Speed at which the unpushed centroid parts from the plane.
+    [[nodiscard]] double partingSpeed(double t) const {
+        const Vec3 velocity = flightVelocity(flight, t - phase.start);
+        return glm::dot(velocity - surface.frame.velocity, surface.normalAt(t));
+    }
+    /// What may close the gap within [t, t + span] besides the centroid's own way along the normal, m/s.
+    [[nodiscard]] double otherRate(double t, double span) const {
+        const double elapsed = t - phase.start;
+        const FlightBounds bounds = flightBounds(flight, shape, elapsed, elapsed + span);
+        double rate = bounds.shape_rate;
+        if (t < flight.leaving_until) {
+            const double spin = glm::length(flight.leaving.frame.angular_velocity);
+            const double arm = glm::length(flight.position - flight.leaving.frame.originAt(t)) + bounds.reach +
+                               (bounds.speed + glm::length(flight.leaving.frame.velocity)) * (elapsed + span);
+            rate += bounds.shape_rate + 2.0 * spin * arm;
+        }
+        const double spin = glm::length(surface.frame.angular_velocity);
+        if (spin > 0.0) {
+            const double arm = glm::length(flight.position - surface.frame.originAt(phase.start)) + bounds.reach +
+                               (bounds.speed + glm::length(surface.frame.velocity)) * (elapsed + span);
+            rate += spin * arm + (bounds.speed + glm::length(surface.frame.velocity)) * std::min(2.0, spin * span);
+        }
+        return rate;
+    }
+    /// The bounding ball's way shows that nothing touches within [from, to].
+    [[nodiscard]] bool farFrom(double from, double to) const {
+        if (surface.frame.angular_velocity != Vec3(0.0) || from < flight.leaving_until) {
+            return false;
+        }
+        const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
+        const double elapsed = from - phase.start;
+        const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
+        const Vec3 normal = surface.normalAt(from);
+        const double height = glm::dot(position - surface.pointAt(from), normal) - bounds.reach;
+        const double speed = partingSpeed(from);
+        const double pull = glm::dot(flight.gravity, normal);
+        const double span = to - from;
+        double least = std::min(height, height + (speed + 0.5 * pull * span) * span);
+        if (pull > 0.0 && speed < 0.0 && -speed < pull * span) {
+            least = height - 0.5 * speed * speed / pull;
+        }
+        return least > 0.0;
+    }
+};
+
+/// Time after which height + speed t + pull t^2 / 2 first reaches zero; height > 0. Infinite if never.
+double timeToZero(double height, double speed, double pull) {
+    const double discriminant = speed * speed - 2.0 * pull * height;
+    if (discriminant < 0.0) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double root = std::sqrt(discriminant);
+    if (speed <= 0.0) {
+        return root - speed > 0.0 ? 2.0 * height / (root - speed) : std::numeric_limits<double>::infinity();
+    }
+    return pull < 0.0 ? (speed + root) / -pull : std::numeric_limits<double>::infinity();
+}
+
+/// gap(inside) > 0 > gap(beyond): the last time before the crossing, to rounding; never beyond it.
+double finish(const Approach& approach, double inside, double gap_inside, double beyond, double gap_beyond) {
+    double weight_inside = gap_inside;
+    double weight_beyond = gap_beyond;
+    const double scale = approach.shape.length();
+    for (int i = 0; i < 200; ++i) {
+        const double width = beyond - inside;
+        double middle = inside + width * (weight_inside / (weight_inside - weight_beyond));
+        if (i % 8 == 7) {
+            middle = inside + 0.5 * width;
+        }
+        if (middle <= inside || middle >= beyond) {
+            break;
+        }
+        const double gap = approach.gap(middle);
+        if (gap >= 0.0) {
+            inside = middle;
+            weight_inside = gap;
+            weight_beyond *= 0.5;
+            if (gap <= 1e-15 * scale) {
+                break;
+            }
+        } else {
+            beyond = middle;
+            weight_beyond = gap;
+            weight_inside *= 0.5;
+        }
+    }
+    return inside;
+}
+
+} // namespace
+
+std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface, double from,
+                                 double to) {
+    const Approach approach{flight, std::get<Flight>(flight.motion), shape, surface};
+    if (approach.farFrom(from, to)) {
+        return std::nullopt;
+    }
+    const double touch_gap = kTouchGap * shape.length();
+    const double pull_full = surface.frame.angular_velocity == Vec3(0.0) ? 1.0 : 0.0;
+    double t = from;
+    for (int i = 0; i < kMostAdvances; ++i) {
+        const double gap = approach.gap(t);
+        if (gap <= touch_gap) {
+            return t;
+        }
+        const double speed = approach.partingSpeed(t);
+        const double pull =
+            pull_full != 0.0 ? glm::dot(approach.flight.gravity, surface.normalAt(t))
+                             : -glm::length(approach.flight.gravity);
+        const double rate_now = approach.otherRate(t, 0.0);
+        // Look ahead about twice as far as today's rates say that nothing can happen, and bound the rates over that.
+        const double guess = timeToZero(gap, speed - rate_now, pull);
+        const double span = std::min(2.0 * guess, to - t);
+        const double rate = approach.otherRate(t, span);
+        const double safe = std::min(timeToZero(gap, speed - rate, pull), span);
+        if (gap < kFinishGap * shape.length() && speed < 0.0) {
+            const double ahead = std::min(to, t + 2.0 * gap / -speed + 1e-12);
+            const double gap_ahead = approach.gap(ahead);
+            if (gap_ahead < 0.0) {
+                return finish(approach, t, gap, ahead, gap_ahead);
+            }
+        }
+        const double next = t + safe;
+        if (next >= to) {
+            return approach.gap(to) < 0.0 ? std::optional(to) : std::nullopt;
+        }
+        t = next > t ? next : std::nextafter(t, to);
+    }
+    return t;
+}
+
+} // namespace elastoon

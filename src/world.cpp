@@ -1,0 +1,497 @@
+// See world.h: what a world holds, and what users may change. The motion itself is in step.cpp.
+#include "elastoon/world.h"
+
+#include "elastoon/assert.h"
+
+#include "check_input.h"
+#include "contact.h"
+#include "hash.h"
+#include "impact.h"
+#include "rotation.h"
+#include "step.h"
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+
+namespace elastoon {
+
+struct World::Impl {
+    Surroundings around;
+    ParallelFor parallel_for;
+    double time = 0.0;
+    std::vector<BodySlot> bodies;
+    std::vector<std::uint32_t> free_bodies, free_obstacles;
+    std::vector<Event> events;
+    std::vector<PhaseBegun> phases;
+    /// Left by user changes since the last step; the next step takes them in.
+    Happenings pending;
+
+    BodySlot* find(BodyId id) {
+        const bool known = id.slot != 0 && id.slot <= bodies.size();
+        BodySlot* slot = known ? &bodies[id.slot - 1] : nullptr;
+        return slot != nullptr && slot->used && slot->generation == id.generation ? slot : nullptr;
+    }
+    ObstacleSlot* find(ObstacleId id) {
+        const bool known = id.slot != 0 && id.slot <= around.obstacles.size();
+        ObstacleSlot* slot = known ? &around.obstacles[id.slot - 1] : nullptr;
+        return slot != nullptr && slot->used && slot->generation == id.generation ? slot : nullptr;
+    }
+    const BodySlot& known(BodyId id) {
+        const BodySlot* slot = find(id);
+        ELASTOON_ASSERT(slot != nullptr, "the id names no body of this world");
+        return *slot;
+    }
+    const ObstacleSlot& known(ObstacleId id) {
+        const ObstacleSlot* slot = find(id);
+        ELASTOON_ASSERT(slot != nullptr, "the id names no obstacle of this world");
+        return *slot;
+    }
+    /// The deepest place where this pose penetrates a plane by more than 1e-6 of the length.
+    [[nodiscard]] std::optional<Overlap> overlap(const Shape& shape, const Pose& pose) const;
+    void flyOn(BodyId id, const Vec3& velocity);
+    void wake(BodyId id);
+    void takePending();
+    void advanceBodies(double to);
+};
+
+namespace {
+
+const Error kUnknownBody{"the id names no body of this world (was it removed?)", "id"};
+const Error kUnknownObstacle{"the id names no obstacle of this world (was it removed?)", "id"};
+
+template <class Slot>
+std::size_t takeSlot(std::vector<Slot>& slots, std::vector<std::uint32_t>& free) {
+    if (!free.empty()) {
+        const std::uint32_t index = free.back();
+        free.pop_back();
+        return index;
+    }
+    slots.emplace_back();
+    return slots.size() - 1;
+}
+
+/// Forgets what the slot held and counts its generation on.
+template <class Slot>
+void releaseSlot(Slot& slot, std::uint32_t index, std::vector<std::uint32_t>& free) {
+    const std::uint32_t generation = slot.generation;
+    slot = Slot{};
+    slot.generation = generation;
+    free.push_back(index);
+}
+
+} // namespace
+
+ObstacleDef ObstacleDef::plane(const Vec3& normal, double offset) {
+    ObstacleDef def;
+    def.normal = normal;
+    const double square = glm::dot(normal, normal);
+    def.position = square > 0.0 ? normal * (offset / square) : Vec3(0.0);
+    return def;
+}
+
+std::string_view nameOf(EventType type) {
+    constexpr std::string_view kNames[] = {"impact", "release", "rest", "wake", "squeeze"};
+    return kNames[static_cast<std::size_t>(type)];
+}
+
+World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+Result<World> World::create(const WorldDef& def) {
+    if (auto error = checkVector(def.gravity, kMostGravity, "gravity")) {
+        return *error;
+    }
+    auto impl = std::make_unique<Impl>();
+    impl->around.gravity = def.gravity;
+    impl->parallel_for = def.parallel_for;
+    return World(std::move(impl));
+}
+
+std::optional<Overlap> World::Impl::overlap(const Shape& shape, const Pose& pose) const {
+    std::optional<Overlap> worst;
+    double deepest = 1e-6 * shape.length();
+    for (std::size_t i = 0; i < around.obstacles.size(); ++i) {
+        const ObstacleSlot& obstacle = around.obstacles[i];
+        if (!obstacle.used || !obstacle.isPlane()) {
+            continue;
+        }
+        const double depth = -gapTo(obstacle.surface(), shape, pose, time);
+        if (depth > deepest) {
+            deepest = depth;
+            worst = {idOfObstacle(i, obstacle), depth, obstacle.surface().normalAt(time)};
+        }
+    }
+    return worst;
+}
+
+namespace {
+
+Error overlapError(const Overlap& overlap) {
+    return {"starts " + shortNumber(overlap.depth) + " m inside obstacle " + std::to_string(overlap.obstacle.slot - 1) +
+                "; move it out along the obstacle's normal by that much",
+            "position"};
+}
+
+/// How a body of this definition would begin: turned to its heading, stretched by its speed.
+Pose startPose(const BodyDef& def, const Vec3& gravity) {
+    const Pose given{def.position, unitOf(def.rotation), 1.0};
+    return unpushedPose(beginFlight(given, def.velocity, gravity, def.style, Lead::PlusX), 0.0);
+}
+
+} // namespace
+
+std::optional<Overlap> World::overlapOf(const BodyDef& def) const {
+    return checkBodyDef(def) ? std::nullopt : impl_->overlap(*def.shape, startPose(def, impl_->around.gravity));
+}
+
+Result<BodyId> World::addBody(const BodyDef& def) {
+    if (auto error = checkBodyDef(def)) {
+        return *error;
+    }
+    const Pose pose = startPose(def, impl_->around.gravity);
+    if (const auto overlap = impl_->overlap(*def.shape, pose)) {
+        return overlapError(*overlap);
+    }
+    const std::size_t index = takeSlot(impl_->bodies, impl_->free_bodies);
+    BodySlot& slot = impl_->bodies[index];
+    slot.used = true;
+    ++slot.generation;
+    slot.shape = def.shape;
+    slot.style = def.style;
+    slot.user_data = def.user_data;
+    const BodyId id = idOfBody(index, slot);
+    beginFlying(impl_->around, slot, id, impl_->time, pose, def.velocity, Lead::PlusX, impl_->pending);
+    return id;
+}
+
+bool World::removeBody(BodyId id) {
+    BodySlot* slot = impl_->find(id);
+    if (slot == nullptr) {
+        return false;
+    }
+    releaseSlot(*slot, id.slot - 1, impl_->free_bodies);
+    return true;
+}
+
+Result<ObstacleId> World::addObstacle(const ObstacleDef& def) {
+    if (auto error = checkObstacleDef(def)) {
+        return *error;
+    }
+    const std::size_t index = takeSlot(impl_->around.obstacles, impl_->free_obstacles);
+    ObstacleSlot& slot = impl_->around.obstacles[index];
+    slot.used = true;
+    ++slot.generation;
+    slot.shape = def.shape;
+    slot.normal = glm::normalize(def.normal);
+    slot.frame = {impl_->time, def.position, unitOf(def.rotation), def.velocity, def.angular_velocity};
+    slot.user_data = def.user_data;
+    return idOfObstacle(index, slot);
+}
+
+bool World::removeObstacle(ObstacleId id) {
+    ObstacleSlot* obstacle = impl_->find(id);
+    if (obstacle == nullptr) {
+        return false;
+    }
+    releaseSlot(*obstacle, id.slot - 1, impl_->free_obstacles);
+    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+        const BodySlot& body = impl_->bodies[i];
+        if (body.used && body.phase.obstacle == id) {
+            impl_->wake(idOfBody(i, body));
+        }
+    }
+    return true;
+}
+
+bool World::contains(BodyId id) const {
+    return impl_->find(id) != nullptr;
+}
+
+bool World::contains(ObstacleId id) const {
+    return impl_->find(id) != nullptr;
+}
+
+std::vector<BodyId> World::bodies() const {
+    std::vector<BodyId> ids;
+    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+        if (impl_->bodies[i].used) {
+            ids.push_back(idOfBody(i, impl_->bodies[i]));
+        }
+    }
+    return ids;
+}
+
+std::vector<ObstacleId> World::obstacles() const {
+    std::vector<ObstacleId> ids;
+    for (std::size_t i = 0; i < impl_->around.obstacles.size(); ++i) {
+        if (impl_->around.obstacles[i].used) {
+            ids.push_back(idOfObstacle(i, impl_->around.obstacles[i]));
+        }
+    }
+    return ids;
+}
+
+/// The body flies on from its present pose; the stretch and axis become those of the velocity.
+void World::Impl::flyOn(BodyId id, const Vec3& velocity) {
+    BodySlot& body = *find(id);
+    const Pose pose = poseAt(body.phase, *body.shape, time);
+    beginFlying(around, body, id, time, pose, velocity, Lead::Nearest, pending);
+}
+
+/// A body that was held flies on with the velocity that it had.
+void World::Impl::wake(BodyId id) {
+    const BodySlot& body = *find(id);
+    const Vec3 velocity = velocityAt(body.phase, *body.shape, time);
+    if (const auto* rest = std::get_if<Rest>(&body.phase.motion)) {
+        Event event;
+        event.time = time;
+        event.type = EventType::Wake;
+        event.body = id;
+        event.other = body.phase.obstacle;
+        event.point = rest->surface.pointAt(time);
+        event.normal = rest->surface.normalAt(time);
+        pending.events.push_back(event);
+    }
+    flyOn(id, velocity);
+}
+
+Status World::setPosition(BodyId id, const Vec3& position) {
+    BodySlot* body = impl_->find(id);
+    if (body == nullptr) {
+        return kUnknownBody;
+    }
+    if (auto error = checkVector(position, kMostPosition, "position")) {
+        return *error;
+    }
+    const Vec3 velocity = velocityAt(body->phase, *body->shape, impl_->time);
+    Pose pose = poseAt(body->phase, *body->shape, impl_->time);
+    pose.position = position;
+    const Flight flight = beginFlight(pose, velocity, impl_->around.gravity, body->style, Lead::Nearest);
+    if (const auto overlap = impl_->overlap(*body->shape, unpushedPose(flight, 0.0))) {
+        return overlapError(*overlap);
+    }
+    beginFlying(impl_->around, *body, id, impl_->time, pose, velocity, Lead::Nearest, impl_->pending);
+    return success();
+}
+
+Status World::setVelocity(BodyId id, const Vec3& velocity) {
+    if (!contains(id)) {
+        return kUnknownBody;
+    }
+    if (auto error = checkVector(velocity, kMostSpeed, "velocity")) {
+        return *error;
+    }
+    impl_->flyOn(id, velocity);
+    return success();
+}
+
+Status World::setStyle(BodyId id, const Style& style) {
+    BodySlot* body = impl_->find(id);
+    if (body == nullptr) {
+        return kUnknownBody;
+    }
+    if (auto error = checkStyle(style)) {
+        return *error;
+    }
+    body->style = style;
+    if (std::holds_alternative<Flight>(body->phase.motion)) {
+        impl_->flyOn(id, velocityAt(body->phase, *body->shape, impl_->time));
+    }
+    return success();
+}
+
+Status World::setGravity(const Vec3& gravity) {
+    if (auto error = checkVector(gravity, kMostGravity, "gravity")) {
+        return *error;
+    }
+    impl_->around.gravity = gravity;
+    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+        const BodySlot& body = impl_->bodies[i];
+        if (!body.used) {
+            continue;
+        }
+        const auto* rest = std::get_if<Rest>(&body.phase.motion);
+        if (std::holds_alternative<Flight>(body.phase.motion) ||
+            (rest != nullptr && !canHold(rest->surface, impl_->time, gravity, body.style))) {
+            impl_->wake(idOfBody(i, body));
+        }
+    }
+    return success();
+}
+
+Status World::setObstacleMotion(ObstacleId id, const Vec3& velocity, const Vec3& angular_velocity) {
+    ObstacleSlot* obstacle = impl_->find(id);
+    if (obstacle == nullptr) {
+        return kUnknownObstacle;
+    }
+    if (auto error = checkVector(velocity, kMostSpeed, "velocity")) {
+        return *error;
+    }
+    if (auto error = checkVector(angular_velocity, kMostSpin, "angular_velocity")) {
+        return *error;
+    }
+    const double t = impl_->time;
+    obstacle->frame = {t, obstacle->frame.originAt(t), obstacle->frame.orientationAt(t), velocity, angular_velocity};
+    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+        BodySlot& body = impl_->bodies[i];
+        if (!body.used || body.phase.obstacle != id) {
+            continue;
+        }
+        Phase phase = body.phase;
+        phase.start = t;
+        if (auto* rest = std::get_if<Rest>(&phase.motion)) {
+            const Vec3 point = rest->surface.pointAt(t);
+            const Vec3 change = obstacle->frame.velocityAt(t, point) - rest->surface.frame.velocityAt(t, point);
+            if (glm::dot(change, rest->surface.normalAt(t)) < 0.0) {
+                impl_->wake(idOfBody(i, body));
+                continue;
+            }
+            rest->surface.frame = obstacle->frame;
+        } else if (auto* impact = std::get_if<Impact>(&phase.motion)) {
+            impact->surface.frame = obstacle->frame;
+        } else {
+            impl_->flyOn(idOfBody(i, body), velocityAt(body.phase, *body.shape, t));
+            continue;
+        }
+        beginPhase(body, idOfBody(i, body), std::move(phase), impl_->pending);
+    }
+    return success();
+}
+
+void World::Impl::takePending() {
+    events = std::move(pending.events);
+    phases = std::move(pending.phases);
+    pending = {};
+}
+
+/// Bodies do not read each other, so any cut of the range gives the same motion.
+void World::Impl::advanceBodies(double to) {
+    struct Part {
+        std::size_t begin;
+        Happenings out;
+    };
+    std::vector<Part> parts;
+    std::mutex guard;
+    const auto advanceRange = [&](std::size_t begin, std::size_t end) {
+        Part part{begin, {}};
+        for (std::size_t i = begin; i < end; ++i) {
+            if (bodies[i].used) {
+                advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
+            }
+        }
+        const std::lock_guard lock(guard);
+        parts.push_back(std::move(part));
+    };
+    if (parallel_for) {
+        parallel_for(bodies.size(), advanceRange);
+    } else {
+        advanceRange(0, bodies.size());
+    }
+    std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.begin < b.begin; });
+    for (Part& part : parts) {
+        events.insert(events.end(), part.out.events.begin(), part.out.events.end());
+        phases.insert(phases.end(), part.out.phases.begin(), part.out.phases.end());
+    }
+}
+
+void World::step(double dt) {
+    const bool valid = dt >= 0.0 && dt <= kMostStep;
+    ELASTOON_ASSERT(valid, "dt must be finite, not negative, and at most 1e6 s");
+    if (!valid) {
+        return;
+    }
+    const double to = impl_->time + dt;
+    impl_->takePending();
+    impl_->advanceBodies(to);
+    std::stable_sort(impl_->events.begin(), impl_->events.end(), [](const Event& a, const Event& b) {
+        return a.time < b.time || (a.time == b.time && a.body.slot < b.body.slot);
+    });
+    std::stable_sort(impl_->phases.begin(), impl_->phases.end(),
+                     [](const PhaseBegun& a, const PhaseBegun& b) { return a.body.slot < b.body.slot; });
+    impl_->time = to;
+}
+
+double World::time() const {
+    return impl_->time;
+}
+
+const Vec3& World::gravity() const {
+    return impl_->around.gravity;
+}
+
+std::span<const Event> World::events() const {
+    return impl_->events;
+}
+
+std::span<const PhaseBegun> World::phasesBegun() const {
+    return impl_->phases;
+}
+
+Pose World::pose(BodyId id) const {
+    const BodySlot& body = impl_->known(id);
+    return poseAt(body.phase, *body.shape, impl_->time);
+}
+
+Vec3 World::velocity(BodyId id) const {
+    const BodySlot& body = impl_->known(id);
+    return velocityAt(body.phase, *body.shape, impl_->time);
+}
+
+const Phase& World::phase(BodyId id) const {
+    return impl_->known(id).phase;
+}
+
+const ShapePtr& World::shape(BodyId id) const {
+    return impl_->known(id).shape;
+}
+
+const Style& World::style(BodyId id) const {
+    return impl_->known(id).style;
+}
+
+std::uint64_t World::userData(BodyId id) const {
+    return impl_->known(id).user_data;
+}
+
+const MovingFrame& World::frame(ObstacleId id) const {
+    return impl_->known(id).frame;
+}
+
+const ShapePtr& World::shape(ObstacleId id) const {
+    return impl_->known(id).shape;
+}
+
+Vec3 World::planeNormal(ObstacleId id) const {
+    return impl_->known(id).normal;
+}
+
+std::uint64_t World::stateHash() const {
+    Hash hash;
+    hash.add(impl_->time);
+    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+        const BodySlot& body = impl_->bodies[i];
+        if (!body.used) {
+            continue;
+        }
+        hash.add(std::uint64_t{body.generation} << 32 | (i + 1));
+        hash.add(std::uint64_t{body.phase.motion.index()});
+        hash.add(body.phase.start);
+        const Pose pose = poseAt(body.phase, *body.shape, impl_->time);
+        const Vec3 velocity = velocityAt(body.phase, *body.shape, impl_->time);
+        for (int axis = 0; axis < 3; ++axis) {
+            hash.add(pose.position[axis]);
+            hash.add(velocity[axis]);
+        }
+        hash.add(pose.orientation.x);
+        hash.add(pose.orientation.y);
+        hash.add(pose.orientation.z);
+        hash.add(pose.orientation.w);
+        hash.add(pose.stretch);
+    }
+    return hash.value();
+}
+
+} // namespace elastoon

@@ -1,0 +1,41 @@
+// The parameter table: it holds every field, with the defaults of the struct.
+#include "elastoon/style.h"
+
+#include "test_support.h"
+
+namespace elastoon {
+namespace {
+
+TEST(Style, TableHoldsTheDefaultsOfTheStruct) {
+    const Style style;
+    for (const StyleParameter& parameter : styleParameters()) {
+        EXPECT_NEAR(parameterValue(style, parameter), parameter.default_value, 1e-12) << parameter.name;
+        EXPECT_FALSE(parameter.meaning.empty()) << parameter.name;
+        EXPECT_LT(parameter.minimum, parameter.maximum) << parameter.name;
+        EXPECT_EQ(parameter.number == nullptr, !parameter.choices.empty()) << parameter.name;
+    }
+}
+
+TEST(Style, EveryFieldHasARow) {
+    // Setting every row to another value must change every byte-sized piece of meaning: the struct built by hand agrees.
+    Style through_table;
+    for (const StyleParameter& parameter : styleParameters()) {
+        setParameter(through_table, parameter, parameter.maximum);
+        EXPECT_NEAR(parameterValue(through_table, parameter), parameter.maximum, 1e-9 * parameter.maximum);
+    }
+    Style by_hand{.restitution = 10,
+                  .max_stretch = 100,
+                  .min_squash = 1,
+                  .stretch_rate = 1000,
+                  .squash_rate = 1000,
+                  .squash_law = SquashLaw::Paper,
+                  .impact_easing = ImpactEasing::Linear,
+                  .reversal_rate = through_table.reversal_rate,
+                  .rest_speed = 1e6,
+                  .rest_slope = through_table.rest_slope};
+    EXPECT_EQ(through_table, by_hand);
+    EXPECT_NEAR(through_table.rest_slope, 1.5707963267948966, 1e-12);
+}
+
+} // namespace
+} // namespace elastoon

@@ -1,0 +1,92 @@
+// What tests share: seeded random numbers that are the same everywhere, and short ways to make worlds.
+#pragma once
+
+#include "elastoon/timeline.h"
+#include "elastoon/world.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+namespace elastoon {
+
+/// splitmix64: the same numbers on every machine.
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+    double uniform(double low, double high) {
+        return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
+    }
+    int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
+    Vec3 inBox(double half) { return {uniform(-half, half), uniform(-half, half), uniform(-half, half)}; }
+    Vec3 direction() {
+        for (;;) {
+            const Vec3 v = inBox(1.0);
+            const double length = glm::length(v);
+            if (length > 0.1 && length < 1.0) {
+                return v / length;
+            }
+        }
+    }
+    Quat rotation() {
+        for (;;) {
+            const Quat q(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+            const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+            if (length > 0.1 && length < 1.0) {
+                return Quat(q.w / length, q.x / length, q.y / length, q.z / length);
+            }
+        }
+    }
+
+private:
+    std::uint64_t next() {
+        state_ += 0x9e3779b97f4a7c15ULL;
+        std::uint64_t z = state_;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+        return z ^ (z >> 31);
+    }
+    std::uint64_t state_;
+};
+
+/// The value, or a failed test.
+template <class T>
+T valueOf(Result<T> result) {
+    if (!result) {
+        ADD_FAILURE() << result.error().text();
+        std::abort();
+    }
+    return std::move(result).value();
+}
+
+inline World worldWith(const Vec3& gravity = {0.0, -9.81, 0.0}) {
+    return valueOf(World::create({.gravity = gravity, .parallel_for = {}}));
+}
+
+inline World worldWithFloor(const Vec3& gravity = {0.0, -9.81, 0.0}) {
+    World world = worldWith(gravity);
+    valueOf(world.addObstacle(ObstacleDef::plane({0.0, 1.0, 0.0}, 0.0)));
+    return world;
+}
+
+/// Angle between two orientations, rad.
+inline double angleBetween(const Quat& a, const Quat& b) {
+    const Quat turn = glm::conjugate(a) * b;
+    return 2.0 * std::asin(std::min(1.0, std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z)));
+}
+
+/// Angle between two axes, whichever end leads, rad.
+inline double angleBetweenAxes(const Vec3& a, const Vec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), std::fabs(glm::dot(a, b)));
+}
+
+/// Height of the lowest point above y = 0, by brute force.
+inline double lowestPoint(const Shape& shape, const Pose& pose) {
+    double lowest = 1e300;
+    for (const Vec3& vertex : shape.vertices()) {
+        lowest = std::min(lowest, worldFromShape(pose, vertex).y);
+    }
+    return lowest;
+}
+
+} // namespace elastoon
