@@ -122,7 +122,7 @@ Pose unpushedPose(const Flight& flight, double elapsed) {
 Pose flightPose(const Flight& flight, const Shape& shape, double start, double elapsed) {
     Pose pose = unpushedPose(flight, elapsed);
     const double t = start + elapsed;
-    if (t < flight.leaving_until) {
+    if (t <= flight.leaving_until) {
         const double gap = gapTo(flight.leaving, shape, pose, t);
         if (gap < 0.0) {
             pose.position -= flight.leaving.normalAt(t) * gap;

@@ -37,7 +37,7 @@ struct Approach {
         const double elapsed = t - phase.start;
         const FlightBounds bounds = flightBounds(flight, shape, elapsed, elapsed + span);
         double rate = bounds.shape_rate;
-        if (t < flight.leaving_until) {
+        if (t <= flight.leaving_until) {
             const double spin = glm::length(flight.leaving.frame.angular_velocity);
             const double arm = glm::length(flight.position - flight.leaving.frame.originAt(t)) + bounds.reach +
                                (bounds.speed + glm::length(flight.leaving.frame.velocity)) * (elapsed + span);
@@ -53,7 +53,7 @@ struct Approach {
     }
     /// The bounding ball's way shows that nothing touches within [from, to].
     [[nodiscard]] bool farFrom(double from, double to) const {
-        if (surface.frame.angular_velocity != Vec3(0.0) || from < flight.leaving_until) {
+        if (surface.frame.angular_velocity != Vec3(0.0) || from <= flight.leaving_until) {
             return false;
         }
         const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
@@ -85,32 +85,35 @@ double timeToZero(double height, double speed, double pull) {
     return pull < 0.0 ? (speed + root) / -pull : std::numeric_limits<double>::infinity();
 }
 
-/// gap(inside) > 0 > gap(beyond): the last time before the crossing, to rounding; never beyond it.
+/// gap(inside) > 0 > gap(beyond): the last time before the crossing, to rounding; never beyond it. A bisection follows
+/// whenever regula falsi has kept the same end twice, so the bracket shrinks whatever the gap's shape is.
 double finish(const Approach& approach, double inside, double gap_inside, double beyond, double gap_beyond) {
-    double weight_inside = gap_inside;
-    double weight_beyond = gap_beyond;
-    const double scale = approach.shape.length();
-    for (int i = 0; i < 200; ++i) {
-        const double width = beyond - inside;
-        double middle = inside + width * (weight_inside / (weight_inside - weight_beyond));
-        if (i % 8 == 7) {
-            middle = inside + 0.5 * width;
-        }
+    const double enough = 1e-15 * approach.shape.length();
+    int kept_beyond = 0;
+    int kept_inside = 0;
+    while (gap_inside > enough) {
+        const bool bisect = kept_beyond >= 2 || kept_inside >= 2;
+        const double share = bisect ? 0.5 : gap_inside / (gap_inside - gap_beyond);
+        const double middle = inside + (beyond - inside) * share;
         if (middle <= inside || middle >= beyond) {
-            break;
+            const double half = inside + 0.5 * (beyond - inside);
+            if (half <= inside || half >= beyond) {
+                break;
+            }
+            kept_beyond = kept_inside = 2;
+            continue;
         }
         const double gap = approach.gap(middle);
         if (gap >= 0.0) {
             inside = middle;
-            weight_inside = gap;
-            weight_beyond *= 0.5;
-            if (gap <= 1e-15 * scale) {
-                break;
-            }
+            gap_inside = gap;
+            kept_beyond = bisect ? 0 : kept_beyond + 1;
+            kept_inside = 0;
         } else {
             beyond = middle;
-            weight_beyond = gap;
-            weight_inside *= 0.5;
+            gap_beyond = gap;
+            kept_inside = bisect ? 0 : kept_inside + 1;
+            kept_beyond = 0;
         }
     }
     return inside;

@@ -9,9 +9,9 @@
 namespace elastoon {
 namespace {
 
-/// Volume and centroid by tetrahedra about a far point, unlike the library's own sum.
+/// Volume and centroid by tetrahedra about another point, unlike the library's own sum.
 std::pair<double, Vec3> massOf(const Shape& shape) {
-    const Vec3 base(3.0, -5.0, 7.0);
+    const Vec3 base = shape.boundingRadius() * Vec3(0.3, -0.5, 0.7);
     double volume = 0.0;
     Vec3 moment(0.0);
     for (std::size_t i = 0; i < shape.faceCount(); ++i) {

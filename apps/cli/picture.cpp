@@ -29,7 +29,8 @@ float rollOff(float value) {
     return kKnee + (1.0F - kKnee) * over / (1.0F + 0.75F * over);
 }
 
-/// Light of each of the 256 byte values. Rounded to float, so that the last bit of the math library's pow() does not show.
+/// Light of each of the 256 byte values. Rounded to float, so that the last bit of the math library's pow() does not
+/// show.
 std::array<float, 256> makeLevels() {
     std::array<float, 256> levels{};
     for (std::size_t i = 0; i < levels.size(); ++i) {

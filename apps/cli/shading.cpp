@@ -157,8 +157,7 @@ Color Shader::farChange(std::span<const Bound> bounds, const glm::vec3& point, c
     float hidden = 0.0F;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         if (i != self) {
-            hidden +=
-                hiddenBy(bounds[i], point, normal) * (1.0F - nearness(bounds[i], point));
+            hidden += hiddenBy(bounds[i], point, normal) * (1.0F - nearness(bounds[i], point));
         }
     }
     return skyIrradiance(setting_, normal) * (-0.8F * std::min(hidden, 0.8F));

@@ -10,6 +10,7 @@ namespace elastoon {
 namespace {
 
 constexpr double kLevel = 0.9999; // cosine to up from which a plane is the ground
+constexpr Vec3 kPlainColor{0.72, 0.70, 0.67}; // an obstacle's where the scene names none: the ground is then neutral
 
 struct Box {
     Vec3 low{0.0}, high{0.0};
@@ -150,8 +151,8 @@ void Show::addMeshes() {
     }
     for (const SceneObstacle& obstacle : scene_->obstacles) {
         const bool solid = obstacle.shape.has_value();
-        obstacle_meshes_.push_back(
-            solid ? tracer_.addMesh(drawnMesh(*scene_->shapes[*obstacle.shape].shape, false)) : 0);
+        obstacle_meshes_.push_back(solid ? tracer_.addMesh(drawnMesh(*scene_->shapes[*obstacle.shape].shape, false))
+                                         : 0);
     }
 }
 
@@ -163,17 +164,18 @@ void Show::placeAt(double t) {
         const SceneObstacle& obstacle = scene_->obstacles[i];
         const MovingFrame frame = frameOf(obstacle.def);
         if (obstacle.shape) {
-            solids.push_back({obstacle_meshes_[i], {frame.originAt(t), frame.orientationAt(t), 1.0},
-                              thingColors(obstacle.color)});
+            solids.push_back(
+                {obstacle_meshes_[i], {frame.originAt(t), frame.orientationAt(t), 1.0}, thingColors(obstacle.color)});
             continue;
         }
         DrawnPlane plane;
         plane.point = setting.local(frame.originAt(t));
         plane.normal = glm::vec3(frame.orientationAt(t) * glm::normalize(obstacle.def.normal));
-        plane.color = linearFromSrgb(obstacle.color);
         if (!setting.ground && glm::dot(Vec3(plane.normal), up) > kLevel) {
+            plane.color = linearFromSrgb(obstacle.color) / linearFromSrgb(kPlainColor);
             setting.ground = plane;
         } else {
+            plane.color = linearFromSrgb(obstacle.color);
             setting.walls.push_back(plane);
         }
     }

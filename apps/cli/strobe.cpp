@@ -74,8 +74,8 @@ Picture strobePicture(const Tracer& tracer, std::span<const Ghost> ghosts,
     }
     Picture picture = background;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        picture.pixels[i] = background.pixels[i] * canvas.shade.pixels[i] * (1.0F - canvas.covered[i]) +
-                            canvas.paint.pixels[i];
+        picture.pixels[i] =
+            background.pixels[i] * canvas.shade.pixels[i] * (1.0F - canvas.covered[i]) + canvas.paint.pixels[i];
     }
     return picture;
 }

@@ -116,7 +116,7 @@ LayerPixel Tracer::Impl::sample(const RayScene& scene, std::size_t thing_count, 
 
 /// `first` samples, and where they differ, all of them.
 LayerPixel Tracer::Impl::pixel(const RayScene& scene, std::size_t thing_count, int x, int y, int first,
-                                   int samples) const {
+                               int samples) const {
     constexpr float kEven = 0.02F; // contrast that needs no more samples
     const std::uint32_t seed = sampling::hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
     LayerPixel sum;

@@ -30,7 +30,7 @@ namespace {
 enum class Kind : std::uint8_t { Mp4, Webm, Gif, None };
 
 Kind kindOf(const std::string& path) {
-    const std::string ending = std::filesystem::path(path).extension().string();
+    const std::string ending = endingOf(path);
     return ending == ".mp4" ? Kind::Mp4 : ending == ".webm" ? Kind::Webm : ending == ".gif" ? Kind::Gif : Kind::None;
 }
 
@@ -45,7 +45,8 @@ std::vector<std::string> argumentsFor(const std::string& program, Kind kind, Pic
     arguments.push_back(fmt::format("{}x{}", size.width, size.height));
     add({"-r"});
     arguments.push_back(fmt::format("{}", fps));
-    add({"-i", "pipe:0", "-an", "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-threads", "2"});
+    add({"-i", "pipe:0", "-an", "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-threads",
+         "2"});
     if (kind == Kind::Gif) {
         add({"-filter_complex", "[0:v]split[a][b];[a]palettegen=stats_mode=full[p];"
                                 "[b][p]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle"});
@@ -221,6 +222,14 @@ Status VideoWriter::finish() {
         return waited.error();
     }
     return impl_->output.commit();
+}
+
+std::string endingOf(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& letter : ending) {
+        letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    }
+    return ending;
 }
 
 bool isVideoPath(const std::string& path) {

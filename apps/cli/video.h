@@ -31,10 +31,14 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+/// The ending of the path in lower case, with its dot.
+[[nodiscard]] std::string endingOf(const std::string& path);
+
 /// Whether the path ends like a video that can be written.
 [[nodiscard]] bool isVideoPath(const std::string& path);
 
-/// The size that a video of this kind can have: .mp4 and .webm take even sizes only, so an odd one loses a row or column.
+/// The size that a video of this kind can have: .mp4 and .webm take even sizes only, so an odd one loses a row or
+/// column.
 [[nodiscard]] PictureSize videoSize(const std::string& path, PictureSize size);
 
 } // namespace elastoon

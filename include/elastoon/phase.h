@@ -58,7 +58,7 @@ struct Flight {
     double reversal_speed = 0.0;   ///< epsilon = |g| / reversal_rate, m/s
     double max_stretch = 1.0, stretch_rate = 0.0;
     AxisRule rule = AxisRule::Velocity;
-    /// The surface just left. Until leaving_until the body is pushed clear of it along its normal, should it turn or
+    /// The surface just left. Until leaving_until (inclusive) the body is pushed clear of it along its normal, should it turn or
     /// lengthen into it; the push depends on time alone.
     Surface leaving;
     double leaving_until = -std::numeric_limits<double>::infinity();

@@ -1,0 +1,154 @@
+// See render.h.
+#include "render.h"
+
+#include "progress.h"
+#include "show.h"
+#include "strobe.h"
+#include "video.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace elastoon {
+
+namespace {
+
+Error stopped(const std::string& path) {
+    return {"interrupted; nothing was written", path};
+}
+
+/// Ghosts of bodies that all stand still say nothing new: the first of them is the last that is drawn.
+void dropStill(std::vector<double>& times, const Timeline& timeline) {
+    const auto still = [&](double a, double b) {
+        return std::all_of(timeline.tracks().begin(), timeline.tracks().end(), [&](const Track& track) {
+            const Pose before = track.poseAt(a), after = track.poseAt(b);
+            return before.position == after.position && before.orientation == after.orientation &&
+                   before.stretch == after.stretch;
+        });
+    };
+    while (times.size() > 1 && still(times[times.size() - 2], times.back())) {
+        times.pop_back();
+    }
+}
+
+std::vector<Ghost> ghostsAt(const Show& show, const std::vector<double>& times) {
+    std::vector<Ghost> ghosts;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        ghosts.push_back({show.bodiesAt(times[i]), ghostWeight(i, times.size())});
+    }
+    return ghosts;
+}
+
+/// Mean of exact moments over the open shutter, which is centred on the frame's time.
+Picture blurredPicture(const Show& show, double time, double shutter_seconds, int samples) {
+    constexpr int kMoments = 12;
+    Picture sum = makePicture(show.tracer().background().size);
+    for (int i = 0; i < kMoments; ++i) {
+        const double share = (static_cast<double>(i) + 0.5) / kMoments - 0.5;
+        const Picture moment = show.tracer().picture(show.bodiesAt(time + share * shutter_seconds), samples);
+        for (std::size_t p = 0; p < sum.pixels.size(); ++p) {
+            sum.pixels[p] += moment.pixels[p] * (1.0F / kMoments);
+        }
+    }
+    return sum;
+}
+
+} // namespace
+
+int frameCount(double duration, double fps) {
+    return std::max(1, static_cast<int>(std::ceil(duration * fps - 1e-6)));
+}
+
+Result<Rendered> renderStrobe(const Scene& scene, const Timeline& timeline, const StrobeOptions& options,
+                              const std::string& path) {
+    std::vector<double> times = options.times;
+    if (times.empty()) {
+        times = strobeTimes(scene.strobe, timeline.end());
+        dropStill(times, timeline);
+    }
+    if (times.empty()) {
+        return Error{"the strobe has no moment: \"from\" lies after \"to\" or after the end", path};
+    }
+    const ShowSpan span{times.front(), times.back(), scene.strobe.spread};
+    auto made = Show::create(scene, timeline, span, options.size, {options.samples, options.threads});
+    if (!made) {
+        return made.error();
+    }
+    Show& show = made.value();
+    show.setTime(times.back());
+    Progress progress("ghosts", static_cast<double>(times.size()));
+    const Picture picture = strobePicture(show.tracer(), ghostsAt(show, times), [&](std::size_t index) {
+        progress.at(static_cast<double>(index + 1));
+        return !interrupted();
+    });
+    if (interrupted()) {
+        return stopped(path);
+    }
+    const auto written = writePng(path, picture);
+    if (!written) {
+        return written.error();
+    }
+    return Rendered{options.size, static_cast<int>(times.size())};
+}
+
+Result<Rendered> renderStill(const Scene& scene, const Timeline& timeline, double time, const PictureOptions& options,
+                             const std::string& path) {
+    // Framed as the video is, so that a still can be compared with its frame.
+    const ShowSpan span{timeline.start(), timeline.end(), Vec3(0.0)};
+    auto made = Show::create(scene, timeline, span, options.size, {options.samples, options.threads});
+    if (!made) {
+        return made.error();
+    }
+    made.value().setTime(time);
+    const Picture picture = made.value().tracer().picture(made.value().bodiesAt(time));
+    if (interrupted()) {
+        return stopped(path);
+    }
+    const auto written = writePng(path, picture);
+    if (!written) {
+        return written.error();
+    }
+    return Rendered{options.size, 1};
+}
+
+Result<Rendered> renderVideo(const Scene& scene, const Timeline& timeline, const VideoOptions& options,
+                             const std::string& path) {
+    const PictureSize size = videoSize(path, options.size);
+    const int end = options.end_frame < 0 ? frameCount(timeline.end(), options.fps) : options.end_frame;
+    if (options.first_frame < 0 || options.first_frame >= end) {
+        return Error{"there is no frame to draw", path};
+    }
+    auto writer = VideoWriter::create(path, size, options.fps);
+    if (!writer) {
+        return writer.error();
+    }
+    const ShowSpan span{timeline.start(), timeline.end(), Vec3(0.0)};
+    auto made = Show::create(scene, timeline, span, size, {options.samples, options.threads});
+    if (!made) {
+        return made.error();
+    }
+    Show& show = made.value();
+    Progress progress("frames", static_cast<double>(end - options.first_frame));
+    for (int frame = options.first_frame; frame < end; ++frame) {
+        const double time = static_cast<double>(frame) / options.fps;
+        show.setTime(time);
+        const Picture picture = options.shutter > 0.0 ? blurredPicture(show, time, options.shutter / options.fps,
+                                                                       std::max(4, options.samples / 4))
+                                                      : show.tracer().picture(show.bodiesAt(time));
+        if (interrupted()) {
+            return stopped(path);
+        }
+        const auto written = writer.value().write(picture);
+        if (!written) {
+            return written.error();
+        }
+        progress.at(static_cast<double>(frame + 1 - options.first_frame));
+    }
+    const auto finished = writer.value().finish();
+    if (!finished) {
+        return finished.error();
+    }
+    return Rendered{size, end - options.first_frame};
+}
+
+} // namespace elastoon
