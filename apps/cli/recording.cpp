@@ -221,7 +221,7 @@ Status writeRecordingJson(const Scene& scene, const StagedScene& staged, const T
     for (const Event& event : timeline.events()) {
         json["events"].push_back(eventJson(event, names));
     }
-    return writeWhole(path, json.dump() + "\n");
+    return writeWhole(path, json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 } // namespace elastoon

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace elastoon {
 
@@ -31,10 +32,33 @@ void dropStill(std::vector<double>& times, const Timeline& timeline) {
     }
 }
 
-std::vector<Ghost> ghostsAt(const Show& show, const std::vector<double>& times) {
+/// The ghosts in order of time. Times that were asked for one by one are all
+/// keys.
+std::vector<Ghost> ghostsAt(const Show& show, const Scene& scene, const Timeline& timeline,
+                            const std::vector<double>& times, bool all_keys) {
+    std::vector<std::vector<Thing>> moments;
+    for (const double t : times) {
+        moments.push_back(show.bodiesAt(t));
+    }
+    std::vector<Ghost> trail(times.size()), keys(times.size());
+    for (std::size_t body = 0; body < timeline.tracks().size(); ++body) {
+        std::vector<Pose> poses;
+        for (const std::vector<Thing>& moment : moments) {
+            poses.push_back(moment[body].pose);
+        }
+        const std::vector<bool> is_key = keyGhosts(*timeline.tracks()[body].shape(), poses, upOf(scene.gravity));
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            (all_keys || is_key[i] ? keys : trail)[i].things.push_back(moments[i][body]);
+        }
+    }
     std::vector<Ghost> ghosts;
     for (std::size_t i = 0; i < times.size(); ++i) {
-        ghosts.push_back({show.bodiesAt(times[i]), ghostWeight(i, times.size())});
+        trail[i].trail = true;
+        keys[i].weight = ghostWeight(i, times.size());
+    }
+    for (std::vector<Ghost>* group : {&trail, &keys}) {
+        std::copy_if(group->begin(), group->end(), std::back_inserter(ghosts),
+                     [](const Ghost& ghost) { return !ghost.things.empty(); });
     }
     return ghosts;
 }
@@ -76,8 +100,9 @@ Result<Rendered> renderStrobe(const Scene& scene, const Timeline& timeline, cons
     }
     Show& show = made.value();
     show.setTime(times.back());
-    Progress progress("ghosts", static_cast<double>(times.size()));
-    const Picture picture = strobePicture(show.tracer(), ghostsAt(show, times), [&](std::size_t index) {
+    const std::vector<Ghost> ghosts = ghostsAt(show, scene, timeline, times, !options.times.empty());
+    Progress progress("ghosts", static_cast<double>(ghosts.size()));
+    const Picture picture = strobePicture(show.tracer(), ghosts, [&](std::size_t index) {
         progress.at(static_cast<double>(index + 1));
         return !interrupted();
     });

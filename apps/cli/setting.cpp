@@ -17,9 +17,9 @@ const Color kSkyMean(0.315F, 0.325F, 0.345F);
 const Color kSkyRise(0.135F, 0.155F, 0.185F);
 const Color kKey(0.86F, 0.82F, 0.75F);
 
-const Color kPool(0.80F, 0.79F, 0.775F);     // the ground where the light falls
-const Color kHorizon(0.565F, 0.61F, 0.655F); // where ground and backdrop meet
-const Color kHigh(0.34F, 0.425F, 0.52F);
+const Color kPool(0.86F, 0.85F, 0.83F); // the ground where the light falls
+const Color kHorizon(0.60F, 0.655F, 0.71F); // where ground and backdrop meet
+const Color kHigh(0.36F, 0.46F, 0.57F);
 
 constexpr float kWallReach = 2.6F; // half the width of a wall, in radii of the action
 

@@ -10,34 +10,99 @@ namespace elastoon {
 
 namespace {
 
-/// The picture while ghosts are laid on it.
-struct Canvas {
-    Picture shade;              // share of the background's light that is left
-    Picture paint;              // light of the ghosts, times their coverage
-    std::vector<float> covered; // 0..1
+constexpr float kTrailWeight = 0.11F;
+
+/// Ghosts laid one over the other: their light times their coverage, and the coverage.
+struct Sheet {
+    Picture paint;
+    std::vector<float> covered;
 };
 
-void layGhost(Canvas& canvas, const Picture& background, const Layer& layer, float weight) {
+Sheet makeSheet(PictureSize size) {
+    return {makePicture(size), std::vector<float>(size.pixelCount(), 0.0F)};
+}
+
+/// Lays a moment on the sheet, hiding what was there. `weight` below 1 washes it out towards the background.
+void layThings(Sheet& sheet, const Picture& background, const Layer& layer, float weight) {
     for (int y = layer.top; y < layer.top + layer.height; ++y) {
         for (int x = layer.left; x < layer.left + layer.width; ++x) {
             const LayerPixel& pixel = layer.at(x, y);
             const std::size_t index = background.index(x, y);
-            const Color& behind = background.pixels[index];
-            const float rest = 1.0F - pixel.coverage;
-            if (rest > 0.0F) {
-                const Color share = glm::min(pixel.around / (behind * rest), Color(1.0F));
-                // Its shadow counts as far as it is seen beside the ghost.
-                const Color shadow = glm::mix(Color(1.0F), share, weight * rest);
-                canvas.shade.pixels[index] = glm::min(canvas.shade.pixels[index], shadow);
-            }
-            const Color pale = glm::mix(behind * pixel.coverage, pixel.things, weight);
-            canvas.paint.pixels[index] = canvas.paint.pixels[index] * rest + pale;
-            canvas.covered[index] = canvas.covered[index] * rest + pixel.coverage;
+            const Color pale = glm::mix(background.pixels[index] * pixel.coverage, pixel.things, weight);
+            sheet.paint.pixels[index] = sheet.paint.pixels[index] * (1.0F - pixel.coverage) + pale;
+            sheet.covered[index] = sheet.covered[index] * (1.0F - pixel.coverage) + pixel.coverage;
         }
     }
 }
 
+/// Keeps the darkest of the moments' shadows: where two fall it is no darker than in either.
+void layShadow(Picture& shade, const Picture& background, const Layer& layer, float weight) {
+    for (int y = layer.top; y < layer.top + layer.height; ++y) {
+        for (int x = layer.left; x < layer.left + layer.width; ++x) {
+            const LayerPixel& pixel = layer.at(x, y);
+            const float rest = 1.0F - pixel.coverage;
+            if (rest > 0.0F) {
+                const std::size_t index = background.index(x, y);
+                const Color share = glm::min(pixel.around / (background.pixels[index] * rest), Color(1.0F));
+                // Beside the edge of a ghost few samples tell of the shadow: it counts by their number.
+                const Color shadow = glm::mix(Color(1.0F), share, weight * rest);
+                shade.pixels[index] = glm::min(shade.pixels[index], shadow);
+            }
+        }
+    }
+}
+
+/// How far the shape reaches along a unit direction.
+double halfExtent(const Shape& shape, const Pose& pose, const Vec3& direction) {
+    const Vec3 in_shape = glm::transpose(linearOf(pose)) * direction;
+    return glm::dot(in_shape, shape.vertices()[shape.supportVertex(in_shape)]);
+}
+
+/// Distance of two poses over the distance at which they would touch, along the line between them.
+double clearance(const Shape& shape, const Pose& a, const Pose& b) {
+    const Vec3 apart = b.position - a.position;
+    const double distance = glm::length(apart);
+    if (distance == 0.0) {
+        return 0.0;
+    }
+    const Vec3 direction = apart / distance;
+    return distance / (halfExtent(shape, a, direction) + halfExtent(shape, b, -direction));
+}
+
 } // namespace
+
+std::vector<bool> keyGhosts(const Shape& shape, std::span<const Pose> poses, const Vec3& up) {
+    constexpr double kRoomForExtremes = 0.35, kRoom = 0.78; // of the distance at which two ghosts would just touch
+    constexpr double kSquashed = 0.95;
+    std::vector<bool> keys(poses.size(), false);
+    const auto keepIfClear = [&](std::size_t index, double room) {
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            if (keys[i] && clearance(shape, poses[i], poses[index]) < room) {
+                return;
+            }
+        }
+        keys[index] = true;
+    };
+    const auto height = [&](std::size_t i) { return glm::dot(poses[i].position, up); };
+    if (!poses.empty()) {
+        keys.front() = keys.back() = true;
+    }
+    for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
+        const double s = poses[i].stretch;
+        if (s < kSquashed && s <= poses[i - 1].stretch && s < poses[i + 1].stretch) {
+            keepIfClear(i, kRoomForExtremes);
+        }
+    }
+    for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
+        if (height(i) >= height(i - 1) && height(i) > height(i + 1)) {
+            keepIfClear(i, kRoom);
+        }
+    }
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        keepIfClear(i, kRoom);
+    }
+    return keys;
+}
 
 std::vector<double> strobeTimes(const SceneStrobe& strobe, double end) {
     const double to = strobe.to < 0.0 ? end : strobe.to;
@@ -53,29 +118,37 @@ std::vector<double> strobeTimes(const SceneStrobe& strobe, double end) {
 }
 
 float ghostWeight(std::size_t index, std::size_t count) {
-    constexpr float kPalest = 0.30F;
+    constexpr float kPalest = 0.48F;
     if (index + 1 >= count) {
         return 1.0F;
     }
     const float age = static_cast<float>(index) / static_cast<float>(count - 1);
-    return kPalest + (0.90F - kPalest) * age;
+    return kPalest + (0.92F - kPalest) * age;
 }
 
 Picture strobePicture(const Tracer& tracer, std::span<const Ghost> ghosts,
                       const std::function<bool(std::size_t)>& step) {
     const Picture& background = tracer.background();
-    Canvas canvas{makePicture(background.size, Color(1.0F)), makePicture(background.size),
-                  std::vector<float>(background.pixels.size(), 0.0F)};
+    Picture shade = makePicture(background.size, Color(1.0F));
+    Sheet trail = makeSheet(background.size), keys = makeSheet(background.size);
     for (std::size_t i = 0; i < ghosts.size(); ++i) {
-        layGhost(canvas, background, tracer.layer(ghosts[i].things), ghosts[i].weight);
+        const Layer layer = tracer.layer(ghosts[i].things);
+        if (ghosts[i].trail) {
+            layThings(trail, background, layer, 1.0F);
+        } else {
+            layShadow(shade, background, layer, ghosts[i].weight);
+            layThings(keys, background, layer, ghosts[i].weight);
+        }
         if (step && !step(i)) {
             break;
         }
     }
     Picture picture = background;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        picture.pixels[i] =
-            background.pixels[i] * canvas.shade.pixels[i] * (1.0F - canvas.covered[i]) + canvas.paint.pixels[i];
+        Color& pixel = picture.pixels[i];
+        pixel *= shade.pixels[i];
+        pixel = pixel * (1.0F - kTrailWeight * trail.covered[i]) + kTrailWeight * trail.paint.pixels[i];
+        pixel = pixel * (1.0F - keys.covered[i]) + keys.paint.pixels[i];
     }
     return picture;
 }
