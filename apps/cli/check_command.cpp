@@ -51,9 +51,9 @@ void addCheckCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("check", "Run a scene while an independent oracle watches");
     command->add_option("scene", options->scene, "Scene file (.json)")->required();
     command->add_option("--fps", options->fps, "Looks per second besides those at impacts")
-        ->check(CLI::Range(1.0, 100000.0))
+        ->check(between(1.0, 100000.0))
         ->capture_default_str();
-    command->add_option("--duration", options->duration, "Seconds; default: the scene's")->check(CLI::Range(0.0, 86400.0));
+    command->add_option("--duration", options->duration, "Seconds; default: the scene's")->check(between(0.0, 86400.0));
     command->callback([options] { check(*options); });
 }
 

@@ -16,6 +16,9 @@ void addRenderCommand(CLI::App& app);
 void addFiguresCommand(CLI::App& app);
 void addCheckCommand(CLI::App& app);
 
+/// Accepts numbers from least to most; unlike CLI::Range, it refuses NaN.
+[[nodiscard]] CLI::Validator between(double least, double most);
+
 /// Exit codes of the program.
 inline constexpr int kExitFailed = 1;
 inline constexpr int kExitBadUse = 2;

@@ -102,9 +102,9 @@ void addFiguresCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("figures", "Make the paper's figures (1 to 4 today)");
     command->add_option("-o,--output", options->folder, "Folder to write to; made where it is missing")->required();
     command->add_option("--scenes", options->scenes, "Folder of the figures' scenes")->capture_default_str();
-    command->add_option("--only", options->only, "Only figures of these numbers")->check(CLI::Range(1, 8));
+    command->add_option("--only", options->only, "Only figures of these numbers")->check(between(1, 8));
     command->add_option("--samples", options->samples, "Most rays for a pixel of a picture; a video takes a quarter")
-        ->check(CLI::Range(1, 4096))
+        ->check(between(1, 4096))
         ->capture_default_str();
     command->add_flag("--no-video", options->no_video, "Pictures only");
     command->add_flag("--plots", options->plots, "Also the plots of docs/model.md");

@@ -1,4 +1,4 @@
-// A scene's motion as a binary glTF 2.0 file (.glb) with animation, for Blender, engines and browsers. docs/gltf.md.
+// A scene's motion as a binary glTF 2.0 file (.glb) with animation, for Blender, engines and browsers.
 #pragma once
 
 #include "elastoon/scene.h"

@@ -1,4 +1,4 @@
-// What the commands share: reading a scene with its warnings, running it, and ending with a message.
+// What the commands share: reading a scene with its warnings, running it, ending with a message, checking numbers.
 #include "commands.h"
 #include "mesh_file.h"
 #include "progress.h"
@@ -14,6 +14,19 @@ namespace elastoon {
 void fail(const Error& error, int code) {
     fmt::print(stderr, "elastoon: {}\n", error.text());
     throw CLI::RuntimeError(code);
+}
+
+CLI::Validator between(double least, double most) {
+    const std::string range = fmt::format("{:g} to {:g}", least, most);
+    return CLI::Validator(
+        [=](std::string& text) -> std::string {
+            double value = 0.0;
+            const bool number = CLI::detail::lexical_cast(text, value);
+            return number && value >= least && value <= most
+                       ? std::string{}
+                       : fmt::format("must be a number from {}, is {}", range, text);
+        },
+        range);
 }
 
 Scene loadScene(const std::string& file) {

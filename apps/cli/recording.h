@@ -1,5 +1,4 @@
-// What a scene did, as tables: poses and events in CSV, both in one JSON file. docs/recording.md. Others script against
-// it.
+// What a scene did, as tables: poses and events in CSV, both in one JSON file. Others script against them.
 #pragma once
 
 #include "elastoon/scene.h"

@@ -69,7 +69,8 @@ Picture blurredPicture(const Show& show, double time, double shutter_seconds, in
     Picture sum = makePicture(show.tracer().background().size);
     for (int i = 0; i < kMoments; ++i) {
         const double share = (static_cast<double>(i) + 0.5) / kMoments - 0.5;
-        const Picture moment = show.tracer().picture(show.bodiesAt(time + share * shutter_seconds), samples);
+        const Picture moment =
+            show.tracer().picture(show.bodiesAt(time + share * shutter_seconds), {.samples = samples});
         for (std::size_t p = 0; p < sum.pixels.size(); ++p) {
             sum.pixels[p] += moment.pixels[p] * (1.0F / kMoments);
         }

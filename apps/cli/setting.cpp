@@ -88,6 +88,13 @@ Color backdropColor(const Setting& setting, const Ray& ray) {
     return glm::mix(kHorizon, kHigh, smoothStep(0.0F, 0.75F, height));
 }
 
+Color wallColor(const Setting& setting, const DrawnPlane& wall) {
+    // Less contrast than the light gives, so that a wall that faces away is no black hole in a bright picture.
+    const Color lit = (keyIrradiance(setting, wall.normal) + skyIrradiance(setting, wall.normal)) /
+                      (keyIrradiance(setting, setting.up) + skyIrradiance(setting, setting.up));
+    return kPool * wall.color * (Color(0.42F) + 0.53F * lit);
+}
+
 float wallPresence(const Setting& setting, const DrawnPlane& wall, const glm::vec3& point) {
     const glm::vec3 centre = wall.normal * glm::dot(wall.point, wall.normal); // of the action, dropped onto the wall
     const float away = glm::length(point - centre) / setting.radius;

@@ -14,7 +14,7 @@ namespace elastoon {
 struct DrawnPlane {
     glm::vec3 point{0.0F};
     glm::vec3 normal{0.0F, 1.0F, 0.0F};
-    Color color{0.7F};
+    Color color{1.0F}; ///< tint of the setting's own; 1 leaves it
 };
 
 /// Lengths are relative to `origin`, so that single precision is enough far from the world's.
@@ -50,6 +50,9 @@ struct SettingHit {
 
 /// Colour of the ground or the backdrop that is seen along the ray, where nothing casts shadow.
 [[nodiscard]] Color backdropColor(const Setting& setting, const Ray& ray);
+
+/// Colour of a wall where nothing casts shadow.
+[[nodiscard]] Color wallColor(const Setting& setting, const DrawnPlane& wall);
 
 /// How much of a wall is seen at a point of it: walls fade out far from the action. 0..1.
 [[nodiscard]] float wallPresence(const Setting& setting, const DrawnPlane& wall, const glm::vec3& point);

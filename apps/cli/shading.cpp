@@ -20,7 +20,8 @@ constexpr float kLeastHidden = 0.004F; // a share of the sky that is not worth d
 // with rays; between the two, both count in part.
 constexpr float kNear = 1.5F, kFarAway = 2.3F;
 constexpr float kLift = 2e-5F; // of the start of a ray off its surface, in radii of the action
-constexpr std::uint32_t kKeyRays = 4, kSkyRays = 2; // on ground and walls, where the soft shadow is all that one sees
+
+constexpr std::uint32_t kNearRays = 3; // for a line of sight: another thing close by is what varies most
 
 // What the directions of a sample are for: each gets its own sequence.
 enum Use : std::uint32_t { kKeyUse = 11, kSkyUse = 12, kBounceUse = 13 };
@@ -106,17 +107,16 @@ Reach reachOf(const Setting& setting, std::span<const Bound> bounds, const glm::
     return greatestHidden(bounds, point, normal) > kLeastHidden ? Reach::Far : Reach::None;
 }
 
-float Shader::keyVisible(const glm::vec3& point, const glm::vec3& normal, SampleKey key, std::uint32_t rays) const {
+/// 1 or 0: whether one direction of the key light is free.
+float Shader::keyVisible(const glm::vec3& point, const glm::vec3& normal, SampleKey key) const {
     glm::vec3 tangent, bitangent;
     sampling::frameAbout(setting_.to_light, tangent, bitangent);
-    std::uint32_t open = 0;
-    for (std::uint32_t i = 0; i < rays; ++i) {
-        const glm::vec2 disk =
-            sampling::diskPoint(unitPoint({key.pixel, key.index * rays + i}, kKeyUse)) * kLightSpread;
-        const glm::vec3 direction = glm::normalize(setting_.to_light + tangent * disk.x + bitangent * disk.y);
-        open += things_.blocked({point + normal * (kLift * setting_.radius), direction}) ? 0U : 1U;
+    const glm::vec2 disk = sampling::diskPoint(unitPoint(key, kKeyUse)) * kLightSpread;
+    const glm::vec3 direction = glm::normalize(setting_.to_light + tangent * disk.x + bitangent * disk.y);
+    if (glm::dot(direction, normal) <= 0.0F) {
+        return 1.0F; // in the surface's own shade, which keyIrradiance() knows of: a ray would count it twice
     }
-    return static_cast<float>(open) / static_cast<float>(rays);
+    return things_.blocked({point + normal * (kLift * setting_.radius), direction}) ? 0.0F : 1.0F;
 }
 
 Color Shader::openIrradiance(const glm::vec3& normal) const {
@@ -147,7 +147,7 @@ Color Shader::nearChange(const glm::vec3& point, const glm::vec3& normal, bool t
     if (!mayShade(setting_, things_.bounds(), foot, kNoThing)) {
         light += keyIrradiance(setting_, up);
     } else {
-        light += keyIrradiance(setting_, up) * keyVisible(foot, up, {key.pixel ^ kBounceUse, key.index}, 1);
+        light += keyIrradiance(setting_, up) * keyVisible(foot, up, {key.pixel ^ kBounceUse, key.index});
     }
     return open * (light / openIrradiance(up) - 1.0F);
 }
@@ -168,12 +168,11 @@ Color Shader::irradiance(const glm::vec3& point, const glm::vec3& normal, std::s
     Color light = skyIrradiance(setting_, normal) + farChange(bounds, point, normal, self);
     const Color direct = keyIrradiance(setting_, normal);
     if (direct.g > 0.0F) {
-        const bool shaded = mayShade(setting_, bounds, point, self);
-        light += shaded ? direct * keyVisible(point, normal, key, self == kNoThing ? kKeyRays : 1) : direct;
+        light += mayShade(setting_, bounds, point, self) ? direct * keyVisible(point, normal, key) : direct;
     }
     const bool things_near = anyNear(bounds, point, self);
     if (things_near || self != kNoThing) {
-        const std::uint32_t rays = self == kNoThing ? kSkyRays : 1;
+        const std::uint32_t rays = things_near ? kNearRays : 1;
         Color change(0.0F);
         for (std::uint32_t i = 0; i < rays; ++i) {
             change += nearChange(point, normal, things_near, {key.pixel, key.index * rays + i});
@@ -183,13 +182,37 @@ Color Shader::irradiance(const glm::vec3& point, const glm::vec3& normal, std::s
     return glm::max(light, Color(0.0F));
 }
 
-Color Shader::litShare(const glm::vec3& point, const glm::vec3& normal, SampleKey key) const {
-    return irradiance(point, normal, kNoThing, key) / openIrradiance(normal);
+Color Shader::softShare(const glm::vec3& point, const glm::vec3& normal, std::size_t count, std::uint32_t pixel,
+                        std::uint32_t samples) const {
+    const std::span<const Bound> bounds(things_.bounds().data(), count);
+    Color light = skyIrradiance(setting_, normal) + farChange(bounds, point, normal, kNoThing);
+    Color direct = keyIrradiance(setting_, normal);
+    if (direct.g > 0.0F && mayShade(setting_, bounds, point, kNoThing)) {
+        float free = 0.0F;
+        std::uint32_t rays = 0;
+        const auto shoot = [&](std::uint32_t end) {
+            for (; rays < end; ++rays) {
+                free += keyVisible(point, normal, {pixel, rays});
+            }
+        };
+        shoot(std::max(6U, samples / 2));
+        if (free > 0.0F && free < static_cast<float>(rays)) { // else all in light or all in shadow
+            shoot(std::max(rays, 2 * samples));
+        }
+        direct *= free / static_cast<float>(rays);
+    }
+    if (anyNear(bounds, point, kNoThing)) {
+        Color change(0.0F);
+        for (std::uint32_t i = 0; i < samples; ++i) {
+            change += nearChange(point, normal, true, {pixel, i});
+        }
+        light += change / static_cast<float>(samples);
+    }
+    return glm::max(light + direct, Color(0.0F)) / openIrradiance(normal);
 }
 
-Color Shader::farShare(const glm::vec3& point, const glm::vec3& normal, std::size_t count) const {
-    const std::span<const Bound> bounds(things_.bounds().data(), count);
-    return Color(1.0F) + farChange(bounds, point, normal, kNoThing) / openIrradiance(normal);
+Color Shader::litShare(const glm::vec3& point, const glm::vec3& normal, SampleKey key) const {
+    return irradiance(point, normal, kNoThing, key) / openIrradiance(normal);
 }
 
 Color Shader::settingColor(const SettingHit& hit, const Ray& sight, SampleKey key) const {
@@ -203,8 +226,7 @@ Color Shader::settingColor(const SettingHit& hit, const Ray& sight, SampleKey ke
     }
     const DrawnPlane& wall = setting_.walls[hit.wall];
     const Color share = litShare(point, wall.normal, key);
-    // Walls get a little of the light that the ground has, so that they do not look like holes when they face away.
-    const Color base = wall.color * (openIrradiance(wall.normal) * 0.6F + Color(0.32F));
+    const Color base = wallColor(setting_, wall);
     const float presence = wallPresence(setting_, wall, point);
     return glm::mix(backdrop, base, presence) * glm::mix(Color(1.0F), share, presence);
 }

@@ -38,14 +38,14 @@ public:
     [[nodiscard]] Color thingColor(const ThingHit& hit, const Ray& sight, SampleKey key) const;
     /// Share of the light that a point of the ground or a wall gets, of what it would get with nothing in the way.
     [[nodiscard]] Color litShare(const glm::vec3& point, const glm::vec3& normal, SampleKey key) const;
-    /// The same where only the first `count` things are new, and far: Reach::Far.
-    [[nodiscard]] Color farShare(const glm::vec3& point, const glm::vec3& normal, std::size_t count) const;
+    /// The same for the first `count` things alone, well sampled: 2 * samples rays to the light where its edge is near.
+    [[nodiscard]] Color softShare(const glm::vec3& point, const glm::vec3& normal, std::size_t count,
+                                  std::uint32_t pixel, std::uint32_t samples) const;
     /// Colour of the setting along the ray, with shadows.
     [[nodiscard]] Color settingColor(const SettingHit& hit, const Ray& sight, SampleKey key) const;
 
 private:
-    [[nodiscard]] float keyVisible(const glm::vec3& point, const glm::vec3& normal, SampleKey key,
-                                   std::uint32_t rays) const;
+    [[nodiscard]] float keyVisible(const glm::vec3& point, const glm::vec3& normal, SampleKey key) const;
     [[nodiscard]] Color irradiance(const glm::vec3& point, const glm::vec3& normal, std::size_t self,
                                    SampleKey key) const;
     [[nodiscard]] Color nearChange(const glm::vec3& point, const glm::vec3& normal, bool things_near,

@@ -125,11 +125,11 @@ void addSimulateCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("simulate", "Run a scene; write poses, events, or an animated .glb");
     command->add_option("scene", options->scene, "Scene file (.json)")->required();
     command->add_option("--fps", options->fps, "Steps, and poses written, per second")
-        ->check(CLI::Range(0.1, 100000.0))
+        ->check(between(0.1, 100000.0))
         ->capture_default_str();
-    command->add_option("--duration", options->duration, "Seconds; default: the scene's")->check(CLI::Range(0.0, 86400.0));
+    command->add_option("--duration", options->duration, "Seconds; default: the scene's")->check(between(0.0, 86400.0));
     command->add_option("--threads", options->threads, "Threads; the results do not depend on it")
-        ->check(CLI::Range(1, 256))
+        ->check(between(1, 256))
         ->capture_default_str();
     command->add_option("-o,--output", options->outputs, "File to write, by its ending: .csv poses, .json recording, .glb animation; may be repeated");
     command->add_option("--events", options->events, "Event file to write (.csv)");

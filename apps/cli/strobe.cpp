@@ -11,6 +11,7 @@ namespace elastoon {
 namespace {
 
 constexpr float kTrailWeight = 0.11F;
+constexpr int kTrailSamples = 8; // they are too faint to show noise
 
 /// Ghosts laid one over the other: their light times their coverage, and the coverage.
 struct Sheet {
@@ -132,7 +133,8 @@ Picture strobePicture(const Tracer& tracer, std::span<const Ghost> ghosts,
     Picture shade = makePicture(background.size, Color(1.0F));
     Sheet trail = makeSheet(background.size), keys = makeSheet(background.size);
     for (std::size_t i = 0; i < ghosts.size(); ++i) {
-        const Layer layer = tracer.layer(ghosts[i].things);
+        const LayerOptions options = ghosts[i].trail ? LayerOptions{kTrailSamples, false} : LayerOptions{};
+        const Layer layer = tracer.layer(ghosts[i].things, options);
         if (ghosts[i].trail) {
             layThings(trail, background, layer, 1.0F);
         } else {

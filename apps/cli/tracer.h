@@ -33,8 +33,14 @@ struct Layer {
 };
 
 struct TraceOptions {
-    int samples = 16; ///< most rays for a pixel; even pixels take a quarter of them
+    int samples = 16; ///< most lines of sight for a pixel; even pixels take a quarter of them
     int threads = 0;  ///< 0: all processors. The picture does not depend on it.
+};
+
+/// How a layer is made.
+struct LayerOptions {
+    int samples = 0;     ///< 0: as the tracer's options say
+    bool shadows = true; ///< else the things alone: `around` is the background
 };
 
 class Tracer {
@@ -51,10 +57,10 @@ public:
 
     /// The setting and the solids without any thing in front.
     [[nodiscard]] const Picture& background() const;
-    /// The things of a moment over the background. `samples` 0: as the options say.
-    [[nodiscard]] Layer layer(std::span<const Thing> things, int samples = 0) const;
+    /// The things of a moment over the background.
+    [[nodiscard]] Layer layer(std::span<const Thing> things, const LayerOptions& options = {}) const;
     /// The background with the things of a moment.
-    [[nodiscard]] Picture picture(std::span<const Thing> things, int samples = 0) const;
+    [[nodiscard]] Picture picture(std::span<const Thing> things, const LayerOptions& options = {}) const;
 
 private:
     struct Impl;

@@ -1,0 +1,201 @@
+// The program as users run it: exit codes, messages, hashes, files that appear whole or not at all.
+#include "test_support.h"
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace elastoon {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ran {
+    int code = -1;
+    std::string output; ///< standard output and error
+};
+
+Ran run(const std::string& arguments) {
+    Ran ran;
+    std::FILE* pipe = popen((std::string(ELASTOON_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+    std::array<char, 4096> buffer{};
+    for (std::size_t got = 0; (got = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+        ran.output.append(buffer.data(), got);
+    }
+    const int status = pclose(pipe);
+    ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return ran;
+}
+
+/// A folder of its own for each test, gone afterwards.
+class Program : public ::testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() /
+                  (std::string("elastoon-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + "-" +
+                   std::to_string(getpid()));
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name)) << text;
+        return path(name);
+    }
+    [[nodiscard]] std::size_t fileCount() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
+    }
+
+private:
+    fs::path folder_;
+};
+
+std::string scenePath(const std::string& name) {
+    return std::string(ELASTOON_SOURCE_DIR) + "/scenes/" + name;
+}
+
+std::string hashOf(const std::string& output) {
+    const std::size_t at = output.find("hash=");
+    return at == std::string::npos ? "" : output.substr(at + 5, 16);
+}
+
+TEST_F(Program, HashesAreTheGoldenOnes) {
+    // scene, fps, hash: the same with every compiler, build type and thread count.
+    std::ifstream golden(std::string(ELASTOON_SOURCE_DIR) + "/tests/golden/hashes.txt");
+    ASSERT_TRUE(golden.is_open());
+    std::string line;
+    int lines = 0;
+    while (std::getline(golden, line)) {
+        if (line.empty() || line[0] == '#') {
+            continue;
+        }
+        std::istringstream words(line);
+        std::string scene, fps, hash;
+        words >> scene >> fps >> hash;
+        for (const char* threads : {"1", "2", "5"}) {
+            const Ran ran = run("simulate " + scenePath(scene) + " --fps " + fps + " --threads " + threads);
+            EXPECT_EQ(ran.code, 0) << ran.output;
+            EXPECT_EQ(hashOf(ran.output), hash) << scene << " at " << fps << " fps on " << threads << " threads";
+        }
+        ++lines;
+    }
+    EXPECT_GE(lines, 6);
+}
+
+TEST_F(Program, SimulateWritesItsFilesAndTellsWhatItDid) {
+    const Ran ran = run("simulate " + scenePath("hello.json") + " --fps 24 --duration 2 -o " + path("a.csv") + " -o " +
+                        path("a.json") + " -o " + path("a.glb") + " --events " + path("e.csv"));
+    EXPECT_EQ(ran.code, 0) << ran.output;
+    EXPECT_NE(ran.output.find("bodies=5 impacts="), std::string::npos) << ran.output;
+    EXPECT_NE(ran.output.find("steps/s="), std::string::npos);
+    EXPECT_EQ(hashOf(ran.output).size(), 16U);
+    EXPECT_EQ(fileCount(), 4U);
+    std::ifstream poses(path("a.csv"));
+    std::string header;
+    std::getline(poses, header);
+    EXPECT_EQ(header, "time,body,phase,px,py,pz,qx,qy,qz,qw,stretch,vx,vy,vz");
+    std::ifstream events(path("e.csv"));
+    std::getline(events, header);
+    EXPECT_EQ(header, "time,type,body,other,px,py,pz,nx,ny,nz,speed,s_in,s_mid,s_out,t_in,t_out");
+}
+
+TEST_F(Program, HelpIsThereForEveryCommand) {
+    for (const char* command : {"", "simulate ", "render ", "figures ", "check "}) {
+        const Ran ran = run(std::string(command) + "--help");
+        EXPECT_EQ(ran.code, 0) << command;
+        EXPECT_GT(ran.output.size(), 200U) << command;
+    }
+}
+
+TEST_F(Program, BadUseExitsWithTwoAndOneMessage) {
+    const std::string good = scenePath("hello.json");
+    const std::string flat = write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string flat_mesh =
+        write("m.json", R"({"elastoon": 1, "shapes": {"rock": {"type": "mesh", "file": "flat.obj"}}})");
+    const std::string no_mesh =
+        write("n.json", R"({"elastoon": 1, "shapes": {"rock": {"type": "mesh", "file": "gone.obj"}}})");
+    const std::string empty_mesh_file = write("empty.obj", "");
+    const std::string empty_mesh =
+        write("o.json", R"({"elastoon": 1, "shapes": {"rock": {"type": "mesh", "file": "empty.obj"}}})");
+    const std::string typo = write("t.json", R"({"elastoon": 1, "gravty": [0, 0, 0]})");
+    const std::size_t files = fileCount();
+    const std::pair<std::string, std::string> cases[] = {
+        {"", "subcommand"},
+        {"fly", "fly"},
+        {"simulate", "scene"},
+        {"simulate /no/such.json", "/no/such.json"},
+        {"simulate " + typo, "/gravty"},
+        {"check " + typo, "did you mean \"gravity\""},
+        {"simulate " + flat_mesh, "flat.obj"},
+        {"simulate " + no_mesh, "gone.obj"},
+        {"simulate " + empty_mesh, "empty.obj"},
+        {"simulate " + good + " -o " + path("x.txt"), ".csv, .json or .glb"},
+        {"simulate " + good + " --fps 0", "--fps"},
+        {"simulate " + good + " --fps nan", "--fps"},
+        {"simulate " + good + " --duration -1", "--duration"},
+        {"simulate " + good + " --threads 0", "--threads"},
+        {"render " + good, "-o"},
+        {"render " + good + " -o " + path("x.bmp"), ".bmp"},
+        {"render " + good + " -o " + path("x.png"), "--strobe"},
+        {"render " + good + " --strobe -o " + path("x.png") + " --size 10", "--size"},
+        {"render " + good + " --strobe -o " + path("x.png") + " --samples 0", "--samples"},
+        {"render " + good + " -o " + path("x.mp4") + " --frames 9:3", "--frames"},
+        {"figures", "-o"},
+    };
+    for (const auto& [arguments, says] : cases) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.code, 2) << arguments << "\n" << ran.output;
+        EXPECT_NE(ran.output.find(says), std::string::npos) << arguments << "\n" << ran.output;
+    }
+    EXPECT_EQ(fileCount(), files) << "nothing was written";
+}
+
+TEST_F(Program, UnwritableOutputExitsWithOne) {
+    const std::string good = scenePath("hello.json");
+    for (const std::string target : {"/proc/x.csv", "/dev/null/x.csv"}) {
+        const Ran ran = run("simulate " + good + " --duration 0.1 -o " + target);
+        EXPECT_EQ(ran.code, 1) << ran.output;
+        EXPECT_NE(ran.output.find("cannot"), std::string::npos) << ran.output;
+    }
+    const Ran ran = run("simulate " + good + " --duration 0.1 -o " + path("") + "folder.csv/ ");
+    EXPECT_NE(ran.code, 0);
+}
+
+TEST_F(Program, InterruptedWorkLeavesNothingBehind) {
+    const std::string command = "timeout --preserve-status -s INT 1.5 " ELASTOON_PROGRAM " render " +
+                                scenePath("hello.json") + " -o " + path("film.mp4") + " --size 1280x720 --samples 256 > " +
+                                path("log") + " 2>&1";
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(fileCount(), 1U) << "only the log";
+    std::ifstream log(path("log"));
+    std::stringstream text;
+    text << log.rdbuf();
+    EXPECT_NE(text.str().find("interrupted"), std::string::npos) << text.str();
+}
+
+TEST_F(Program, CheckPassesTheScenes) {
+    for (const char* scene : {"hello.json", "figures/1-bouncing-ball.json", "figures/2-stiff-cylinder.json",
+                              "figures/3-soft-cylinder.json"}) {
+        const Ran ran = run("check " + scenePath(scene));
+        EXPECT_EQ(ran.code, 0) << ran.output;
+    }
+}
+
+TEST_F(Program, MeshFilesBecomeTheirHulls) {
+    write("rock.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.2 0.2 0.2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 2 5\n");
+    const std::string scene = write("s.json", R"({"elastoon": 1, "duration": 3,
+        "shapes": {"rock": {"type": "mesh", "file": "rock.obj"}}, "bodies": [{"shape": "rock", "position": [0, 3, 0]}],
+        "obstacles": [{"type": "plane", "normal": [0, 1, 0]}]})");
+    const Ran ran = run("check " + scene);
+    EXPECT_EQ(ran.code, 0) << ran.output;
+}
+
+} // namespace
+} // namespace elastoon
