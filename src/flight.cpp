@@ -27,8 +27,8 @@ Heading headingAt(const Flight& flight, double elapsed) {
     const double climb = climbOf(flight, elapsed);
     const double across = flight.speed_across;
     const double e = flight.reversal_speed;
-    const Heading raw = flight.rule == AxisRule::Reversal ? Heading{climb * climb + e * e, climb * across}
-                                                          : Heading{climb, across};
+    const Heading raw =
+        flight.rule == AxisRule::Reversal ? Heading{climb * climb + e * e, climb * across} : Heading{climb, across};
     const double length = std::sqrt(raw.up * raw.up + raw.across * raw.across);
     return length > 0.0 ? Heading{raw.up / length, raw.across / length} : Heading{1.0, 0.0};
 }

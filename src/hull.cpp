@@ -1,5 +1,5 @@
-// Based on: Barber, Dobkin, Huhdanpaa, "The Quickhull Algorithm for Convex Hulls", 1996. It deviates in merging coplanar
-// facets once, at the end, instead of on the way.
+// Based on: Barber, Dobkin, Huhdanpaa, "The Quickhull Algorithm for Convex Hulls", 1996. It deviates in merging
+// coplanar facets once, at the end, instead of on the way.
 #include "hull.h"
 
 #include "elastoon/shape.h"
@@ -370,7 +370,8 @@ Result<Polytope> convexHull(std::span<const Vec3> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (int axis = 0; axis < 3; ++axis) {
             if (!(std::fabs(points[i][axis]) <= Shape::kMaxSize)) {
-                return Error{"point " + std::to_string(i) + " is not finite, or further than 1e9 m from the origin", ""};
+                return Error{"point " + std::to_string(i) + " is not finite, or further than 1e9 m from the origin",
+                             ""};
             }
         }
         low = glm::min(low, points[i]);
@@ -404,7 +405,9 @@ MassCenter massCenterOf(const Polytope& polytope) {
     Vec3 moment(0.0);
     for (std::size_t face = 0; face + 1 < polytope.face_begin.size(); ++face) {
         const std::uint32_t begin = polytope.face_begin[face];
-        const auto corner = [&](std::uint32_t i) { return polytope.vertices[polytope.face_vertices[begin + i]] - base; };
+        const auto corner = [&](std::uint32_t i) {
+            return polytope.vertices[polytope.face_vertices[begin + i]] - base;
+        };
         for (std::uint32_t i = 1; begin + i + 1 < polytope.face_begin[face + 1]; ++i) {
             const double part = glm::dot(corner(0), glm::cross(corner(i), corner(i + 1)));
             volume += part;

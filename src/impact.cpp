@@ -1,4 +1,4 @@
-// Based on: Chenney et al., NPAR 2002, sections 3.4 and 3.5. Where it deviates: docs/model.md, docs/impact.md.
+// Based on: Chenney et al., NPAR 2002, sections 3.4 and 3.5. Where it deviates: docs/model.md.
 #include "impact.h"
 
 #include "contact.h"
@@ -107,12 +107,12 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
     impact.easing = style.impact_easing;
     const Quat world_from_frame = frame.orientationAt(t);
     impact.orientation = unitOf(glm::conjugate(world_from_frame) * touching.pose.orientation);
-    impact.contact_in_shape =
-        (glm::conjugate(touching.pose.orientation) * (contact - touching.pose.position)) / scaleOf(touching.pose.stretch);
+    impact.contact_in_shape = (glm::conjugate(touching.pose.orientation) * (contact - touching.pose.position)) /
+                              scaleOf(touching.pose.stretch);
     const double reflected = style.restitution * std::max(0.0, -meeting.normal_speed);
     impact.comes_to_rest = meeting.can_hold && reflected < meeting.rest_speed;
-    impact.velocity_out = glm::conjugate(world_from_frame) *
-                          relativeVelocityOut(meeting, style.restitution, impact.comes_to_rest);
+    impact.velocity_out =
+        glm::conjugate(world_from_frame) * relativeVelocityOut(meeting, style.restitution, impact.comes_to_rest);
 
     // Whether it turns decides whether it takes time, and on a turning surface the time decides how far it turns.
     for (int pass = 0; pass < 2; ++pass) {

@@ -54,7 +54,9 @@ double deepestSquash(const Style& style, double relative_speed) {
 }
 
 double restSpeed(const Style& style, double length, double gravity_magnitude) {
-    return style.rest_speed == kDerived ? std::sqrt(2.0 * gravity_magnitude * 0.02 * length) : style.rest_speed;
+    constexpr double kLeastShare = 0.05;
+    const double derived = std::sqrt(2.0 * gravity_magnitude * 0.02 * length);
+    return style.rest_speed == kDerived ? derived : std::max(style.rest_speed, kLeastShare * derived);
 }
 
 ImpactCurve impactCurve(const Style& style, const ImpactInput& input) {
@@ -67,8 +69,8 @@ ImpactCurve impactCurve(const Style& style, const ImpactInput& input) {
 
     const double span_in = curve.s_in - curve.s_mid;
     const double span_out = curve.s_out - curve.s_mid;
-    const double omega_in = std::max(omegaOf(style, input.length, input.speed_in, span_in),
-                                     leastOmegaIn(style, input, span_in));
+    const double omega_in =
+        std::max(omegaOf(style, input.length, input.speed_in, span_in), leastOmegaIn(style, input, span_in));
     const double omega_out = std::max(omegaOf(style, input.length, input.speed_out, span_out), 0.5 * omega_in);
     curve.omega_in = span_in > kLeastSpan || input.turns ? omega_in : 0.0;
     curve.omega_out = std::fabs(span_out) > kLeastSpan || input.turns ? omega_out : 0.0;

@@ -77,8 +77,9 @@ Result<Scene> SceneReader::read(const Json& root) {
             json_.fail("/elastoon", "must be 1, the version of scene files that this program reads");
         }
     }
-    json_.object(root, "", {"elastoon", "name", "gravity", "duration", "shapes", "styles", "bodies", "obstacles",
-                            "camera", "strobe"});
+    json_.object(
+        root, "",
+        {"elastoon", "name", "gravity", "duration", "shapes", "styles", "bodies", "obstacles", "camera", "strobe"});
     if (json_.failed()) {
         return *json_.error();
     }
@@ -104,9 +105,7 @@ Result<Scene> SceneReader::read(const Json& root) {
 
 double SceneReader::size(const Json& value, const std::string& path, std::string_view key) {
     const Json* found = json_.required(value, path, key);
-    return found == nullptr
-               ? 1.0
-               : json_.number(*found, path + pathPart(key), Shape::kMinSize, Shape::kMaxSize, "m");
+    return found == nullptr ? 1.0 : json_.number(*found, path + pathPart(key), Shape::kMinSize, Shape::kMaxSize, "m");
 }
 
 void SceneReader::readShapes(const Json& shapes) {
@@ -334,8 +333,8 @@ void SceneReader::readObstacles(const Json& obstacles) {
         obstacle.color = kObstacleColor;
         if (value.is_object() && value.contains("type")) {
             readPlane(value, path, obstacle);
-        } else if (json_.object(value, path, {"name", "shape", "position", "rotation", "velocity", "angular_velocity",
-                                              "color"})) {
+        } else if (json_.object(value, path,
+                                {"name", "shape", "position", "rotation", "velocity", "angular_velocity", "color"})) {
             if (!value.contains("shape")) {
                 json_.fail(path, "must have a \"shape\", or \"type\": \"plane\"");
                 return;
@@ -357,7 +356,8 @@ void SceneReader::readObstacles(const Json& obstacles) {
             constexpr double kRadiansPerDegree = 0.017453292519943295;
             obstacle.def.angular_velocity = kRadiansPerDegree * json_.vector(v, p, kMostSpin / kRadiansPerDegree);
         });
-        optional(value, path, "color", [&](const Json& v, const std::string& p) { obstacle.color = json_.color(v, p); });
+        optional(value, path, "color",
+                 [&](const Json& v, const std::string& p) { obstacle.color = json_.color(v, p); });
         if (obstacle.shape) {
             obstacle.def.shape = scene_.shapes[*obstacle.shape].shape;
         }

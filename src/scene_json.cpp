@@ -94,10 +94,11 @@ std::string placeOf(std::string_view text, std::size_t position) {
 }
 
 std::string kindOf(const Json& value) {
-    return std::string(value.is_number() ? "a number" : value.is_string() ? "a text"
-                                                    : value.is_array()    ? "a list"
-                                                    : value.is_object()   ? "an object"
-                                                                          : value.type_name());
+    return std::string(value.is_number()   ? "a number"
+                       : value.is_string() ? "a text"
+                       : value.is_array()  ? "a list"
+                       : value.is_object() ? "an object"
+                                           : value.type_name());
 }
 
 std::size_t editDistance(std::string_view a, std::string_view b) {
@@ -263,7 +264,9 @@ Quat JsonReader::rotation(const Json& value, const std::string& path) {
 
 Vec3 JsonReader::color(const Json& value, const std::string& path) {
     const std::string text = value.is_string() ? value.get<std::string>() : "";
-    const auto isHex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); };
+    const auto isHex = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+    };
     if (text.size() != 7 || text[0] != '#' || !std::all_of(text.begin() + 1, text.end(), isHex)) {
         fail(path, "must be a colour like \"#e4572e\"");
         return Vec3(0.0);
@@ -275,8 +278,7 @@ Vec3 JsonReader::color(const Json& value, const std::string& path) {
     return result;
 }
 
-std::size_t JsonReader::choice(const Json& value, const std::string& path,
-                               std::span<const std::string_view> choices) {
+std::size_t JsonReader::choice(const Json& value, const std::string& path, std::span<const std::string_view> choices) {
     const std::string word = text(value, path);
     const auto found = std::find(choices.begin(), choices.end(), word);
     if (!failed() && found == choices.end()) {

@@ -20,8 +20,8 @@ using Json = nlohmann::ordered_json;
 /// deeper than 64, numbers beyond the range of a double.
 Result<Json> parseJson(std::string_view text, const std::string& file);
 
-/// Reads values out of a JSON tree and keeps the first error, with the JSON path of its place. After an error every read
-/// gives a default, so callers ask once, at the end.
+/// Reads values out of a JSON tree and keeps the first error, with the JSON path of its place. After an error every
+/// read gives a default, so callers ask once, at the end.
 class JsonReader {
 public:
     explicit JsonReader(std::string file) : file_(std::move(file)) {}

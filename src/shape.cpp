@@ -107,7 +107,8 @@ Result<ShapePtr> Shape::box(const Vec3& size) {
 }
 
 Result<ShapePtr> Shape::cylinder(double radius, double length, int sides) {
-    for (auto error : {checkSize(radius, "radius"), checkSize(length, "length"), checkSides(sides, 8, 256, 4, "sides")}) {
+    for (auto error :
+         {checkSize(radius, "radius"), checkSize(length, "length"), checkSides(sides, 8, 256, 4, "sides")}) {
         if (error) {
             return *error;
         }
@@ -119,7 +120,8 @@ Result<ShapePtr> Shape::cylinder(double radius, double length, int sides) {
 }
 
 Result<ShapePtr> Shape::cone(double radius, double length, int sides) {
-    for (auto error : {checkSize(radius, "radius"), checkSize(length, "length"), checkSides(sides, 8, 256, 4, "sides")}) {
+    for (auto error :
+         {checkSize(radius, "radius"), checkSize(length, "length"), checkSides(sides, 8, 256, 4, "sides")}) {
         if (error) {
             return *error;
         }
@@ -131,7 +133,8 @@ Result<ShapePtr> Shape::cone(double radius, double length, int sides) {
 }
 
 Result<ShapePtr> Shape::capsule(double radius, double length, int sides) {
-    for (auto error : {checkSize(radius, "radius"), checkSize(length, "length"), checkSides(sides, 8, 64, 4, "sides")}) {
+    for (auto error :
+         {checkSize(radius, "radius"), checkSize(length, "length"), checkSides(sides, 8, 64, 4, "sides")}) {
         if (error) {
             return *error;
         }

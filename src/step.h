@@ -52,7 +52,8 @@ struct Happenings {
 /// Gives the body its next phase and notes it.
 void beginPhase(BodySlot& body, BodyId id, Phase phase, Happenings& out);
 
-/// Lets the body fly from this pose at time t. A surface that it touches and parts from is left; others are met at once.
+/// Lets the body fly from this pose at time t. A surface that it touches and parts from is left; others are met at
+/// once.
 void beginFlying(const Surroundings& around, BodySlot& body, BodyId id, double t, const Pose& pose,
                  const Vec3& velocity, Lead lead, Happenings& out);
 

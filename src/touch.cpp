@@ -136,9 +136,8 @@ std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const 
             return t;
         }
         const double speed = approach.partingSpeed(t);
-        const double pull =
-            pull_full != 0.0 ? glm::dot(approach.flight.gravity, surface.normalAt(t))
-                             : -glm::length(approach.flight.gravity);
+        const double pull = pull_full != 0.0 ? glm::dot(approach.flight.gravity, surface.normalAt(t))
+                                             : -glm::length(approach.flight.gravity);
         const double rate_now = approach.otherRate(t, 0.0);
         // Look ahead about twice as far as today's rates say that nothing can happen, and bound the rates over that.
         const double guess = timeToZero(gap, speed - rate_now, pull);

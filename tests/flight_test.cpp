@@ -57,8 +57,9 @@ TEST(Flight, SteepThrowNeverTurnsFasterThanTheReversalRate) {
         double fastest = 0.0;
         const double h = 1e-5;
         for (double t = 0.0; t < 2.0; t += h) {
-            fastest = std::max(fastest, angleBetween(unpushedPose(flight, t).orientation,
-                                                     unpushedPose(flight, t + h).orientation) / h);
+            fastest = std::max(
+                fastest,
+                angleBetween(unpushedPose(flight, t).orientation, unpushedPose(flight, t + h).orientation) / h);
         }
         EXPECT_LE(fastest, Style{}.reversal_rate * (1.0 + 1e-4)) << level;
         // The forward end is swapped: away from the apex the axis lies along the velocity, the other end leading.
@@ -75,7 +76,8 @@ TEST(Flight, TheRulesMeetWhereTheyChange) {
         const Flight flight = flightOf({epsilon * factor, 9.81, 0.0});
         const double h = 1e-6;
         const double rate =
-            angleBetween(unpushedPose(flight, 1.0 - h).orientation, unpushedPose(flight, 1.0 + h).orientation) / (2 * h);
+            angleBetween(unpushedPose(flight, 1.0 - h).orientation, unpushedPose(flight, 1.0 + h).orientation) /
+            (2 * h);
         EXPECT_NEAR(rate, Style{}.reversal_rate, 0.02 * Style{}.reversal_rate);
     }
 }

@@ -68,8 +68,9 @@ TEST(Hull, SaysWhatFlatPointsSpan) {
     EXPECT_NE(messageOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}).find("one plane"), std::string::npos);
     EXPECT_NE(messageOf({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).find("one line"), std::string::npos);
     EXPECT_NE(messageOf({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}).find("1e-9"), std::string::npos);
-    EXPECT_NE(messageOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, std::numeric_limits<double>::infinity()}}).find("finite"),
-              std::string::npos);
+    EXPECT_NE(
+        messageOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, std::numeric_limits<double>::infinity()}}).find("finite"),
+        std::string::npos);
 }
 
 } // namespace

@@ -78,7 +78,8 @@ TEST(Impact, HoldsItsBoundsInRandomBounces) {
                 const Pose after = poseAt(phase, shape, phase.start);
                 EXPECT_LT(glm::length(before.position - after.position), 1e-8 * shape.length()) << i;
                 EXPECT_NEAR(before.stretch, after.stretch, 1e-9) << i;
-                const bool instant = std::holds_alternative<Impact>(phases[p - 1].motion) && phases[p - 1].end == phases[p - 1].start;
+                const bool instant =
+                    std::holds_alternative<Impact>(phases[p - 1].motion) && phases[p - 1].end == phases[p - 1].start;
                 if (!instant) {
                     EXPECT_LT(angleBetween(before.orientation, after.orientation), 1e-9) << i;
                 }
@@ -92,7 +93,8 @@ TEST(Impact, HoldsItsBoundsInRandomBounces) {
                 const double t = phase.start + (end - phase.start) * k / 20;
                 EXPECT_LT(gapOf(shape, phase, plane, t), 1e-4) << "stays in contact";
                 // Stick: the material point under the contact moves along the normal only.
-                const Vec3 drift = worldFromShape(poseAt(phase, shape, t), impact->contact_in_shape) - impact->surface.pointAt(t);
+                const Vec3 drift =
+                    worldFromShape(poseAt(phase, shape, t), impact->contact_in_shape) - impact->surface.pointAt(t);
                 const Vec3 n = impact->surface.normalAt(t);
                 EXPECT_LT(glm::length(drift - n * glm::dot(n, drift)), 1e-6 * shape.length()) << i;
             }
@@ -149,7 +151,8 @@ TEST(Impact, SwapsTheForwardEndAndTurnsByTheSmallestWay) {
 }
 
 TEST(Impact, SlowTouchWhilePartingFallsBackAlongItsWay) {
-    // A long cylinder in a low slanting hop turns into the floor as it rises: it goes back upright, it does not flip over.
+    // A long cylinder in a low slanting hop turns into the floor as it rises: it goes back upright, it does not flip
+    // over.
     World world = worldWithFloor();
     BodyDef def;
     def.shape = valueOf(Shape::cylinder(0.15, 2.0));

@@ -58,7 +58,8 @@ TEST(Model, BothLawsReachMinSquashAtInfiniteSpeed) {
 TEST(Model, BoundedSquashTimeTendsToItsLimitAndThePapersGrows) {
     Style style;
     const auto squashTime = [](const Style& s, double v) {
-        return impactCurve(s, {.length = 1.0, .speed_in = v, .s_in = stretchAtSpeed(s, v), .speed_out = v, .s_out = 1.0})
+        return impactCurve(s,
+                           {.length = 1.0, .speed_in = v, .s_in = stretchAtSpeed(s, v), .speed_out = v, .s_out = 1.0})
             .t_in;
     };
     EXPECT_NEAR(squashTime(style, 1e-6), M_PI / 2 * 1.0 * 0.1 * 1.5, 1e-6);
@@ -121,8 +122,8 @@ TEST(Model, StretchHalfEndsAlsoWithoutOutgoingSpeed) {
 
 TEST(Model, TurnShareIsHalfAtTheDeepestSquashAndMonotone) {
     ImpactCurve curve;
-    for (const auto& [t_in, t_out] : {std::pair(0.1, 0.3), std::pair(0.3, 0.1), std::pair(0.2, 0.2), std::pair(0.0, 0.2),
-                                      std::pair(0.2, 0.0)}) {
+    for (const auto& [t_in, t_out] :
+         {std::pair(0.1, 0.3), std::pair(0.3, 0.1), std::pair(0.2, 0.2), std::pair(0.0, 0.2), std::pair(0.2, 0.0)}) {
         curve.t_in = t_in;
         curve.t_out = t_out;
         for (const ImpactEasing easing : {ImpactEasing::Linear, ImpactEasing::Smooth}) {
@@ -142,7 +143,8 @@ TEST(Model, TurnShareIsHalfAtTheDeepestSquashAndMonotone) {
         // Smooth: no corner at the ends, nor in the middle.
         const auto rate = [&](double t) {
             const double h = 1e-7;
-            return (turnShare(curve, ImpactEasing::Smooth, t + h) - turnShare(curve, ImpactEasing::Smooth, t - h)) / (2 * h);
+            return (turnShare(curve, ImpactEasing::Smooth, t + h) - turnShare(curve, ImpactEasing::Smooth, t - h)) /
+                   (2 * h);
         };
         EXPECT_NEAR(rate(1e-6), 0.0, 1e-3);
         EXPECT_NEAR(rate(curve.duration() - 1e-6), 0.0, 1e-3);

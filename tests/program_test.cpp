@@ -169,8 +169,8 @@ TEST_F(Program, UnwritableOutputExitsWithOne) {
 
 TEST_F(Program, InterruptedWorkLeavesNothingBehind) {
     const std::string command = "timeout --preserve-status -s INT 1.5 " ELASTOON_PROGRAM " render " +
-                                scenePath("hello.json") + " -o " + path("film.mp4") + " --size 1280x720 --samples 256 > " +
-                                path("log") + " 2>&1";
+                                scenePath("hello.json") + " -o " + path("film.mp4") +
+                                " --size 1280x720 --samples 256 > " + path("log") + " 2>&1";
     const int status = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(status), 1);
     EXPECT_EQ(fileCount(), 1U) << "only the log";
@@ -189,7 +189,8 @@ TEST_F(Program, CheckPassesTheScenes) {
 }
 
 TEST_F(Program, MeshFilesBecomeTheirHulls) {
-    write("rock.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.2 0.2 0.2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 2 5\n");
+    write("rock.obj",
+          "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.2 0.2 0.2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 2 5\n");
     const std::string scene = write("s.json", R"({"elastoon": 1, "duration": 3,
         "shapes": {"rock": {"type": "mesh", "file": "rock.obj"}}, "bodies": [{"shape": "rock", "position": [0, 3, 0]}],
         "obstacles": [{"type": "plane", "normal": [0, 1, 0]}]})");

@@ -18,7 +18,8 @@ TEST(Rotation, BetweenRandomDirectionsArrivesByTheSmallestAngle) {
         const Quat q = rotationBetween(from, to);
         EXPECT_LT(glm::length(q * from - to), 1e-8);
         EXPECT_NEAR(glm::length(q), 1.0, 1e-15);
-        EXPECT_NEAR(turnBetween(from, to).angle, std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to)), 1e-9);
+        EXPECT_NEAR(turnBetween(from, to).angle, std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to)),
+                    1e-9);
     }
 }
 

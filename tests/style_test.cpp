@@ -3,6 +3,10 @@
 
 #include "test_support.h"
 
+#include <fstream>
+#include <sstream>
+#include <string>
+
 namespace elastoon {
 namespace {
 
@@ -16,8 +20,29 @@ TEST(Style, TableHoldsTheDefaultsOfTheStruct) {
     }
 }
 
+TEST(Style, TheDocumentHoldsTheTable) {
+    std::ifstream stream(std::string(ELASTOON_SOURCE_DIR) + "/docs/model.md");
+    std::stringstream text;
+    text << stream.rdbuf();
+    for (const StyleParameter& p : styleParameters()) {
+        std::ostringstream row;
+        row << "| `" << p.name << "` | " << p.symbol << (p.symbol.empty() ? "| " : " | ") << p.unit
+            << (p.unit.empty() ? "| " : " | ");
+        if (p.choices.empty()) {
+            row << p.minimum << " to " << p.maximum << " | ";
+            p.default_value == kDerived ? row << "auto" : row << p.default_value;
+        } else {
+            row << p.choices[0] << ", " << p.choices[1] << " | "
+                << p.choices[static_cast<std::size_t>(p.default_value)];
+        }
+        row << " | " << p.meaning << " |";
+        EXPECT_NE(text.str().find(row.str()), std::string::npos) << "docs/model.md lacks: " << row.str();
+    }
+}
+
 TEST(Style, EveryFieldHasARow) {
-    // Setting every row to another value must change every byte-sized piece of meaning: the struct built by hand agrees.
+    // Setting every row to another value must change every byte-sized piece of meaning: the struct built by hand
+    // agrees.
     Style through_table;
     for (const StyleParameter& parameter : styleParameters()) {
         setParameter(through_table, parameter, parameter.maximum);

@@ -91,7 +91,8 @@ TEST(Touch, GrazingPassIsFoundOnlyIfItTouches) {
         for (const double sign : {1.0, -1.0}) {
             const double height = 0.5 + sign * clearance + 2.0;
             // Falls 2 m against an upward pull of 1 m/s^2, then rises again.
-            const Flight flight = beginFlight({Vec3(0.0, height, 0.0)}, {0.0, -2.0, 0.0}, {0, 1, 0}, rigid, Lead::PlusX);
+            const Flight flight =
+                beginFlight({Vec3(0.0, height, 0.0)}, {0.0, -2.0, 0.0}, {0, 1, 0}, rigid, Lead::PlusX);
             const auto touch = firstTouch(flightPhase(flight), *ball, kFloor, 0.0, 10.0);
             EXPECT_EQ(touch.has_value(), sign < 0.0) << clearance;
         }

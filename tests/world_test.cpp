@@ -52,10 +52,12 @@ TEST(World, PositionsDoNotDependOnTheStep) {
     for (const BodyDef& def : {ballAt({0, 10, 0}), ballAt({0, 6, 0}, {3, 1, 0}), longSoftCylinder()}) {
         const auto reference = wholeSeconds(def, 10, [](double) { return 1.0 / 60.0; });
         Random random(19);
-        const std::function<double(double)> rules[] = {
-            [](double) { return 1.0 / 24.0; },  [](double) { return 1.0 / 30.0; },
-            [](double) { return 1.0 / 144.0; }, [](double) { return 1.0 / 1000.0; },
-            [&](double) { return random.uniform(1e-4, 0.3); }, [](double) { return 10.0; }};
+        const std::function<double(double)> rules[] = {[](double) { return 1.0 / 24.0; },
+                                                       [](double) { return 1.0 / 30.0; },
+                                                       [](double) { return 1.0 / 144.0; },
+                                                       [](double) { return 1.0 / 1000.0; },
+                                                       [&](double) { return random.uniform(1e-4, 0.3); },
+                                                       [](double) { return 10.0; }};
         for (const auto& rule : rules) {
             const auto positions = wholeSeconds(def, 10, rule);
             for (std::size_t i = 0; i < reference.size(); ++i) {
@@ -227,7 +229,8 @@ TEST(World, BadStepsAssertAndDoNothing) {
     World world = worldWithFloor();
     const AssertHandler before = setAssertHandler([](const char*, const char*, const char*, int) { ++assertions; });
     assertions = 0;
-    for (const double dt : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e9}) {
+    for (const double dt :
+         {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e9}) {
         world.step(dt);
     }
     setAssertHandler(before);

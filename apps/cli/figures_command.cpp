@@ -70,7 +70,8 @@ void makeSceneFigure(const FiguresOptions& options, const FigureScene& figure) {
 
 void makeFigures(const FiguresOptions& options) {
     const auto wanted = [&](int number) {
-        return options.only.empty() || std::find(options.only.begin(), options.only.end(), number) != options.only.end();
+        return options.only.empty() ||
+               std::find(options.only.begin(), options.only.end(), number) != options.only.end();
     };
     for (const FigureScene& figure : kFigureScenes) {
         if (wanted(figure.number)) {

@@ -15,6 +15,12 @@ int main(int argc, char** argv) {
     elastoon::addFiguresCommand(app);
     elastoon::addCheckCommand(app);
     elastoon::catchInterrupts();
+    if (argc > 1 && argv[1][0] != '-' &&
+        app.get_subcommands([&](CLI::App* command) { return command->check_name(argv[1]); }).empty()) {
+        fmt::print(stderr, "elastoon: there is no command \"{}\"; there are simulate, render, figures and check\n",
+                   argv[1]);
+        return elastoon::kExitBadUse;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::RuntimeError& end) {

@@ -1,8 +1,8 @@
 // Points of a mesh file (.obj, .stl, .ply, .glb and whatever else assimp reads), for its convex hull.
 #pragma once
 
-#include "elastoon/result.h"
 #include "elastoon/math.h"
+#include "elastoon/result.h"
 
 #include <string>
 #include <vector>

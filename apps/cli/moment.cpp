@@ -37,7 +37,8 @@ Moment::Moment(const Backdrop& backdrop, std::span<const Thing> things, const La
       count_(things.size()),
       bounds_(scene_.bounds().data(), count_),
       samples_(options.samples > 0 ? options.samples : backdrop.options.samples),
-      shadows_(options.shadows) {}
+      shadows_(options.shadows),
+      seed_(options.seed) {}
 
 /// Whether a thing's bound lies within a pixel and a half of the ray.
 bool Moment::coverable(const Ray& ray) const {
@@ -139,7 +140,7 @@ Color Moment::settingAt(int x, int y) const {
 LayerPixel Moment::pixel(Work work, int x, int y) const {
     const std::size_t index = backdrop_.picture.index(x, y);
     const Seen& seen = backdrop_.seen[index];
-    const std::uint32_t seed = sampling::hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+    const std::uint32_t seed = sampling::hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)) ^ seed_;
     const bool plain = seen.plain || !shadows_;
     LayerPixel pixel;
     if (work == Work::Full) {

@@ -103,6 +103,7 @@ private:
     std::span<const Bound> bounds_;
     int samples_;
     bool shadows_;
+    std::uint32_t seed_;
 };
 
 } // namespace elastoon

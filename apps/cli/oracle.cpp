@@ -113,7 +113,8 @@ void Inspector::lookAt(const Track& track, const std::string& name, const Phase&
     posed_.clear();
     Real sum = 0;
     for (const Vec3& vertex : shape.vertices()) {
-        RealVec point = product(rotation, {vertex.x * static_cast<Real>(pose.stretch), vertex.y * across, vertex.z * across});
+        RealVec point =
+            product(rotation, {vertex.x * static_cast<Real>(pose.stretch), vertex.y * across, vertex.z * across});
         for (std::size_t axis = 0; axis < 3; ++axis) {
             point[axis] += realOf(pose.position)[axis];
             sum += point[axis];
@@ -152,7 +153,8 @@ void Inspector::lookAtChange(const Track& track, const std::string& name, const 
     const double moved = glm::length(a.position - b.position) / shape.length();
     const double stretched = std::fabs(a.stretch - b.stretch);
     const Quat turn = glm::conjugate(a.orientation) * b.orientation;
-    const double rotated = 2.0 * std::asin(std::min(1.0, std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z)));
+    const double rotated =
+        2.0 * std::asin(std::min(1.0, std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z)));
     note(report.jump, std::max({moved, stretched, rotated}), after.start, name, "");
 }
 

@@ -23,8 +23,11 @@ void onInterrupt(int signal) {
 } // namespace
 
 Progress::Progress(std::string label, double total)
-    : label_(std::move(label)), total_(total), shown_(isatty(STDERR_FILENO) != 0),
-      begun_(std::chrono::steady_clock::now()), drawn_(begun_ - std::chrono::seconds(1)) {
+    : label_(std::move(label)),
+      total_(total),
+      shown_(isatty(STDERR_FILENO) != 0),
+      begun_(std::chrono::steady_clock::now()),
+      drawn_(begun_ - std::chrono::seconds(1)) {
     at(0.0);
 }
 
@@ -44,8 +47,8 @@ void Progress::at(double done) {
     const double elapsed = std::chrono::duration<double>(now - begun_).count();
     const std::string left = share > 0.02 ? fmt::format("{:4.0f} s left", elapsed * (1.0 - share) / share) : "";
     const auto filled = static_cast<std::size_t>(share * 30.0);
-    fmt::print(stderr, "\r{} [{}{}] {:3.0f} %  {:<12}", label_, std::string(filled, '#'),
-               std::string(30 - filled, '.'), share * 100.0, left);
+    fmt::print(stderr, "\r{} [{}{}] {:3.0f} %  {:<12}", label_, std::string(filled, '#'), std::string(30 - filled, '.'),
+               share * 100.0, left);
     std::fflush(stderr);
 }
 

@@ -6,7 +6,8 @@
 
 namespace elastoon {
 
-/// Draws "label [#####.....]  42 %  12 s left" on standard error where that is a terminal. Ends its line when destroyed.
+/// Draws "label [#####.....]  42 %  12 s left" on standard error where that is a terminal. Ends its line when
+/// destroyed.
 class Progress {
 public:
     Progress(std::string label, double total);

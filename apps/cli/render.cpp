@@ -2,6 +2,7 @@
 #include "render.h"
 
 #include "progress.h"
+#include "sampling.h"
 #include "show.h"
 #include "strobe.h"
 #include "video.h"
@@ -70,7 +71,8 @@ Picture blurredPicture(const Show& show, double time, double shutter_seconds, in
     for (int i = 0; i < kMoments; ++i) {
         const double share = (static_cast<double>(i) + 0.5) / kMoments - 0.5;
         const Picture moment =
-            show.tracer().picture(show.bodiesAt(time + share * shutter_seconds), {.samples = samples});
+            show.tracer().picture(show.bodiesAt(time + share * shutter_seconds),
+                                  {.samples = samples, .seed = sampling::hash(static_cast<std::uint32_t>(i))});
         for (std::size_t p = 0; p < sum.pixels.size(); ++p) {
             sum.pixels[p] += moment.pixels[p] * (1.0F / kMoments);
         }

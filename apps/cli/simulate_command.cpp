@@ -30,7 +30,8 @@ struct SimulateOptions {
 
 std::string endingOf(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     return ending;
 }
 
@@ -131,7 +132,8 @@ void addSimulateCommand(CLI::App& app) {
     command->add_option("--threads", options->threads, "Threads; the results do not depend on it")
         ->check(between(1, 256))
         ->capture_default_str();
-    command->add_option("-o,--output", options->outputs, "File to write, by its ending: .csv poses, .json recording, .glb animation; may be repeated");
+    command->add_option("-o,--output", options->outputs,
+                        "File to write, by its ending: .csv poses, .json recording, .glb animation; may be repeated");
     command->add_option("--events", options->events, "Event file to write (.csv)");
     command->callback([options] { simulate(*options); });
 }

@@ -41,6 +41,7 @@ struct TraceOptions {
 struct LayerOptions {
     int samples = 0;     ///< 0: as the tracer's options say
     bool shadows = true; ///< else the things alone: `around` is the background
+    std::uint32_t seed = 0; ///< another gives other noise: for pictures that are averaged
 };
 
 class Tracer {

@@ -3,10 +3,12 @@
 
 namespace elastoon {
 
-/// Gets the failed condition, what it means, and where it stands. It may return: the call then does nothing, where it can.
+/// Gets the failed condition, what it means, and where it stands. It may return: the call then does nothing, where it
+/// can.
 using AssertHandler = void (*)(const char* condition, const char* message, const char* file, int line);
 
-/// Sets the handler and gives back the one before. The default prints and, in builds without NDEBUG, aborts. Null: default.
+/// Sets the handler and gives back the one before. The default prints and, in builds without NDEBUG, aborts. Null:
+/// default.
 AssertHandler setAssertHandler(AssertHandler handler);
 
 void assertionFailed(const char* condition, const char* message, const char* file, int line);

@@ -17,8 +17,8 @@ using Mat3 = glm::dmat3;
 /// No rotation. (glm's constructor takes w first; files and tables of this project hold x y z w.)
 inline constexpr Quat kNoRotation{1.0, 0.0, 0.0, 0.0};
 
-/// Where a body is and how it is stretched: x = position + R diag(s, 1/sqrt(s), 1/sqrt(s)) X for a point X of its shape.
-/// Paper, section 3.1, equation 1.
+/// Where a body is and how it is stretched: x = position + R diag(s, 1/sqrt(s), 1/sqrt(s)) X for a point X of its
+/// shape. Paper, section 3.1, equation 1.
 struct Pose {
     Vec3 position{0.0};            ///< of the shape's volume centroid, m
     Quat orientation{kNoRotation}; ///< unit; its x axis is the principal axis

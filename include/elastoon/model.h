@@ -1,4 +1,5 @@
-// The motion model's two curves: stretch by speed in flight, and stretch through an impact. Paper, sections 3.2 and 3.4.
+// The motion model's two curves: stretch by speed in flight, and stretch through an impact. Paper, sections 3.2
+// and 3.4.
 #pragma once
 
 #include "elastoon/style.h"

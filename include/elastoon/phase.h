@@ -1,4 +1,5 @@
-// The closed-form phases that a body's motion is a chain of. Each is a small record; its pose is a pure function of time.
+// The closed-form phases that a body's motion is a chain of. Each is a small record; its pose is a pure function of
+// time.
 #pragma once
 
 #include "elastoon/ids.h"
@@ -29,7 +30,8 @@ struct MovingFrame {
     [[nodiscard]] Vec3 frameFromWorld(double t, const Vec3& point) const;
 };
 
-/// A plane that is carried by a frame: what a body is in contact with. It refers to no obstacle, it is a thing of its own.
+/// A plane that is carried by a frame: what a body is in contact with. It refers to no obstacle, it is a thing of its
+/// own.
 struct Surface {
     MovingFrame frame;
     Vec3 point{0.0};           ///< on the plane, in the frame
@@ -58,8 +60,8 @@ struct Flight {
     double reversal_speed = 0.0;   ///< epsilon = |g| / reversal_rate, m/s
     double max_stretch = 1.0, stretch_rate = 0.0;
     AxisRule rule = AxisRule::Velocity;
-    /// The surface just left. Until leaving_until (inclusive) the body is pushed clear of it along its normal, should it turn or
-    /// lengthen into it; the push depends on time alone.
+    /// The surface just left. Until leaving_until (inclusive) the body is pushed clear of it along its normal, should
+    /// it turn or lengthen into it; the push depends on time alone.
     Surface leaving;
     double leaving_until = -std::numeric_limits<double>::infinity();
 };
@@ -67,11 +69,11 @@ struct Flight {
 /// Squash and stretch against a surface, turning about the contact. Lives in the frame of the surface.
 struct Impact {
     double begun = 0.0; ///< time of the touch, the curve's zero
-    Surface surface;    ///< through the contact point
+    Surface surface; ///< through the contact point
     Vec3 contact_in_shape{0.0}; ///< the material point that sticks
     Quat orientation{kNoRotation}; ///< at start, in the surface's frame
     Vec3 turn_axis{0.0, 0.0, 1.0}; ///< unit, in the surface's frame
-    double turn_angle = 0.0;       ///< whole turn, rad, >= 0
+    double turn_angle = 0.0; ///< whole turn, rad, >= 0
     ImpactCurve curve;
     ImpactEasing easing = ImpactEasing::Smooth;
     Vec3 velocity_out{0.0}; ///< relative to the surface, in its frame
@@ -98,7 +100,8 @@ struct Phase {
 /// Pose of a body of this shape at time t of the phase; t is taken as start where it is before it.
 [[nodiscard]] Pose poseAt(const Phase& phase, const Shape& shape, double t);
 
-/// Velocity of the centroid at time t. In an impact it is the difference quotient of the closed form over 2 microseconds.
+/// Velocity of the centroid at time t. In an impact it is the difference quotient of the closed form over 2
+/// microseconds.
 [[nodiscard]] Vec3 velocityAt(const Phase& phase, const Shape& shape, double t);
 
 } // namespace elastoon

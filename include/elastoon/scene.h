@@ -59,8 +59,8 @@ struct Scene {
 /// Reads the points of a mesh file, in m. The file's path is already resolved against the scene's folder.
 using MeshReader = std::function<Result<std::vector<Vec3>>(const std::string& path)>;
 
-/// Parses scene text. `file` is used in messages and to resolve mesh files. Every key, type and range is checked, and the
-/// start of every body against the obstacles. Without a mesh reader, a mesh shape is an error.
+/// Parses scene text. `file` is used in messages and to resolve mesh files. Every key, type and range is checked, and
+/// the start of every body against the obstacles. Without a mesh reader, a mesh shape is an error.
 Result<Scene> parseScene(std::string_view text, const std::string& file = {}, const MeshReader& read_mesh = {});
 /// Reads and parses a scene file.
 Result<Scene> readScene(const std::string& file, const MeshReader& read_mesh = {});

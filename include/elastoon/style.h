@@ -24,7 +24,8 @@ inline constexpr double kDerived = -1.0;
 
 /// The character of a body's motion. Plain data; every field has its row in styleParameters().
 struct Style {
-    /// Share of the normal speed that is kept in an impact. 0..1; above 1 for super balls. Default 0.5. Paper, section 3.
+    /// Share of the normal speed that is kept in an impact. 0..1; above 1 for super balls. Default 0.5. Paper,
+    /// section 3.
     double restitution = 0.5;
     /// Stretch approached at infinite speed, s_max. >= 1. Default 2. Paper, section 3.
     /// 1 -> rigid in flight; 1.5 -> stiff; 2 -> lively; 3 and more -> a streak.
@@ -45,9 +46,10 @@ struct Style {
     /// Where the path turns faster, the forward end is swapped instead (paper, section 3.2).
     double reversal_rate = 12.566370614359172;
     /// Outgoing normal speed below which a touch brings the body to rest, m/s. >= 0, or kDerived.
-    /// Derived: sqrt(2 |g| 0.02 L), a hop of 2 % of the body's length.
+    /// Derived: sqrt(2 |g| 0.02 L), a hop of 2 % of the body's length. A twentieth of that always holds.
     double rest_speed = kDerived;
-    /// Steepest surface that can hold a body at rest, rad from level. 0 to pi/2. Default 35 degrees. Paper, section 3.5.
+    /// Steepest surface that can hold a body at rest, rad from level. 0 to pi/2. Default 35 degrees. Paper,
+    /// section 3.5.
     double rest_slope = 0.6108652381980153;
 
     friend bool operator==(const Style&, const Style&) = default;
@@ -55,17 +57,17 @@ struct Style {
 
 /// One row of the parameter table. Numbers are in the file's unit; file_to_si converts to the field's.
 struct StyleParameter {
-    std::string_view name;   ///< key in files, field of Style
+    std::string_view name; ///< key in files, field of Style
     std::string_view symbol; ///< as docs/model.md writes it
-    std::string_view unit;   ///< in files; empty for a pure number
-    double minimum;          ///< least value allowed
-    double maximum;          ///< greatest value allowed
+    std::string_view unit; ///< in files; empty for a pure number
+    double minimum; ///< least value allowed
+    double maximum; ///< greatest value allowed
     double default_value;
-    double file_to_si;                         ///< field = file value * file_to_si
-    std::string_view meaning;                  ///< one line
-    double Style::* number;                    ///< the field; null for a choice
+    double file_to_si; ///< field = file value * file_to_si
+    std::string_view meaning; ///< one line
+    double Style::* number; ///< the field; null for a choice
     std::span<const std::string_view> choices; ///< names of a choice, in the order of its enum; empty for a number
-    bool may_be_derived = false;               ///< takes "auto" as well, stored as kDerived
+    bool may_be_derived = false; ///< takes "auto" as well, stored as kDerived
 };
 
 /// Every style parameter, in the order in which people read them.

@@ -61,8 +61,8 @@ enum class EventType : std::uint8_t {
 
 [[nodiscard]] std::string_view nameOf(EventType type);
 
-/// Something that happened in the last step. The curve's fields hold for Impact; elsewhere they repeat the last impact's
-/// (Release, Rest) or are those of standing still (Wake).
+/// Something that happened in the last step. The curve's fields hold for Impact; elsewhere they repeat the last
+/// impact's (Release, Rest) or are those of standing still (Wake).
 struct Event {
     double time = 0.0;
     EventType type = EventType::Impact;
@@ -148,7 +148,7 @@ public:
     /// Frame of the obstacle: where it is now and how it moves.
     [[nodiscard]] const MovingFrame& frame(ObstacleId id) const;
     [[nodiscard]] const ShapePtr& shape(ObstacleId id) const; ///< null for a plane
-    [[nodiscard]] Vec3 planeNormal(ObstacleId id) const;      ///< of a plane, in its frame
+    [[nodiscard]] Vec3 planeNormal(ObstacleId id) const; ///< of a plane, in its frame
 
     /// 64 bits over time and over every body's phase and pose: equal worlds have equal hashes, on every machine.
     [[nodiscard]] std::uint64_t stateHash() const;
