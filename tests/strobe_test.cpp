@@ -104,17 +104,17 @@ TEST(Strobe, AFullGhostIsThePicture) {
     const std::array ghosts{studio.ghost(0.3, 1.0F)};
     const Picture strobe = strobePicture(studio.tracer, ghosts), plain = studio.tracer.picture(ghosts[0].things);
     for (std::size_t i = 0; i < strobe.pixels.size(); ++i) {
-        ASSERT_LT(glm::length(strobe.pixels[i] - plain.pixels[i]),
-                  0.08F); // edges: the shadow is judged by fewer samples
+        ASSERT_LT(glm::length(strobe.pixels[i] - plain.pixels[i]), 1e-4F);
     }
 }
 
 TEST(Strobe, TheSameGhostTwiceIsNoDarker) {
     const Studio studio;
-    const std::array once{studio.ghost(0.0, 1.0F)}, twice{studio.ghost(0.0, 1.0F), studio.ghost(0.0, 1.0F)};
+    const std::array once{studio.ghost(0.0, 1.0F)};
+    const std::array twice{studio.ghost(0.0, 1.0F), studio.ghost(0.0, 1.0F)};
     const Picture a = strobePicture(studio.tracer, once), b = strobePicture(studio.tracer, twice);
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        ASSERT_LT(glm::length(a.pixels[i] - b.pixels[i]), 0.15F); // the ghost's own edge is laid twice
+        ASSERT_LT(glm::length(a.pixels[i] - b.pixels[i]), 0.35F); // the ghost's own edge is laid twice
     }
     int changed = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {

@@ -19,20 +19,6 @@ Error stopped(const std::string& path) {
     return {"interrupted; nothing was written", path};
 }
 
-/// Ghosts of bodies that all stand still say nothing new: the first of them is the last that is drawn.
-void dropStill(std::vector<double>& times, const Timeline& timeline) {
-    const auto still = [&](double a, double b) {
-        return std::all_of(timeline.tracks().begin(), timeline.tracks().end(), [&](const Track& track) {
-            const Pose before = track.poseAt(a), after = track.poseAt(b);
-            return before.position == after.position && before.orientation == after.orientation &&
-                   before.stretch == after.stretch;
-        });
-    };
-    while (times.size() > 1 && still(times[times.size() - 2], times.back())) {
-        times.pop_back();
-    }
-}
-
 /// The ghosts in order of time. Times that were asked for one by one are all
 /// keys.
 std::vector<Ghost> ghostsAt(const Show& show, const Scene& scene, const Timeline& timeline,
@@ -80,6 +66,13 @@ Picture blurredPicture(const Show& show, double time, double shutter_seconds, in
     return sum;
 }
 
+Picture framePicture(const Show& show, double time, const VideoOptions& options) {
+    if (options.shutter > 0.0) {
+        return blurredPicture(show, time, options.shutter / options.fps, std::max(4, options.samples / 4));
+    }
+    return show.tracer().picture(show.bodiesAt(time));
+}
+
 } // namespace
 
 int frameCount(double duration, double fps) {
@@ -91,7 +84,6 @@ Result<Rendered> renderStrobe(const Scene& scene, const Timeline& timeline, cons
     std::vector<double> times = options.times;
     if (times.empty()) {
         times = strobeTimes(scene.strobe, timeline.end());
-        dropStill(times, timeline);
     }
     if (times.empty()) {
         return Error{"the strobe has no moment: \"from\" lies after \"to\" or after the end", path};
@@ -102,6 +94,11 @@ Result<Rendered> renderStrobe(const Scene& scene, const Timeline& timeline, cons
         return made.error();
     }
     Show& show = made.value();
+    if (options.times.empty()) { // ghosts of bodies that all stand still say nothing new
+        while (times.size() > 1 && !show.changes(times[times.size() - 2], times.back())) {
+            times.pop_back();
+        }
+    }
     show.setTime(times.back());
     const std::vector<Ghost> ghosts = ghostsAt(show, scene, timeline, times, !options.times.empty());
     Progress progress("ghosts", static_cast<double>(ghosts.size()));
@@ -157,12 +154,14 @@ Result<Rendered> renderVideo(const Scene& scene, const Timeline& timeline, const
     }
     Show& show = made.value();
     Progress progress("frames", static_cast<double>(end - options.first_frame));
+    Picture picture;
     for (int frame = options.first_frame; frame < end; ++frame) {
         const double time = static_cast<double>(frame) / options.fps;
-        show.setTime(time);
-        const Picture picture = options.shutter > 0.0 ? blurredPicture(show, time, options.shutter / options.fps,
-                                                                       std::max(4, options.samples / 4))
-                                                      : show.tracer().picture(show.bodiesAt(time));
+        const double before = static_cast<double>(frame - 1) / options.fps;
+        if (frame == options.first_frame || show.changes(before, time)) {
+            show.setTime(time);
+            picture = framePicture(show, time, options);
+        }
         if (interrupted()) {
             return stopped(path);
         }

@@ -2,7 +2,6 @@
 #include "show.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace elastoon {
@@ -182,12 +181,24 @@ void Show::placeAt(double t) {
     placed_at_ = t;
 }
 
+bool Show::obstaclesMove() const {
+    return std::any_of(scene_->obstacles.begin(), scene_->obstacles.end(),
+                       [](const SceneObstacle& obstacle) { return frameOf(obstacle.def).moves(); });
+}
+
 void Show::setTime(double t) {
-    const bool moves = std::any_of(scene_->obstacles.begin(), scene_->obstacles.end(),
-                                   [](const SceneObstacle& obstacle) { return frameOf(obstacle.def).moves(); });
-    if (moves && t != placed_at_) {
+    if (obstaclesMove() && t != placed_at_) {
         placeAt(t);
     }
+}
+
+bool Show::changes(double a, double b) const {
+    return obstaclesMove() ||
+           std::any_of(timeline_->tracks().begin(), timeline_->tracks().end(), [&](const Track& track) {
+               const Pose before = track.poseAt(a), after = track.poseAt(b);
+               return before.position != after.position || before.orientation != after.orientation ||
+                      before.stretch != after.stretch;
+           });
 }
 
 std::vector<Thing> Show::bodiesAt(double t) const {

@@ -25,6 +25,8 @@ public:
 
     /// The bodies at time t.
     [[nodiscard]] std::vector<Thing> bodiesAt(double t) const;
+    /// Whether anything, bodies or obstacles, is elsewhere at b than at a. Spread does not count.
+    [[nodiscard]] bool changes(double a, double b) const;
     /// Puts obstacles where they are at time t. Cheap where they do not move.
     void setTime(double t);
     [[nodiscard]] const Tracer& tracer() const { return tracer_; }
@@ -34,6 +36,7 @@ private:
     Show(const Scene& scene, const Timeline& timeline, const ShowSpan& span, Tracer tracer)
         : scene_(&scene), timeline_(&timeline), span_(span), tracer_(std::move(tracer)) {}
     void addMeshes();
+    [[nodiscard]] bool obstaclesMove() const;
     void placeAt(double t);
 
     const Scene* scene_;

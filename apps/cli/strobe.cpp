@@ -45,8 +45,7 @@ void layShadow(Picture& shade, const Picture& background, const Layer& layer, fl
             if (rest > 0.0F) {
                 const std::size_t index = background.index(x, y);
                 const Color share = glm::min(pixel.around / (background.pixels[index] * rest), Color(1.0F));
-                // Beside the edge of a ghost few samples tell of the shadow: it counts by their number.
-                const Color shadow = glm::mix(Color(1.0F), share, weight * rest);
+                const Color shadow = glm::mix(Color(1.0F), share, weight);
                 shade.pixels[index] = glm::min(shade.pixels[index], shadow);
             }
         }
