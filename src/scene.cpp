@@ -22,7 +22,6 @@ constexpr std::array<std::string_view, 7> kShapeTypes{"sphere", "box", "cylinder
 /// Colours for objects that name none; in turn.
 constexpr std::array<std::array<int, 3>, 6> kPalette{
     {{228, 87, 46}, {23, 120, 165}, {242, 175, 41}, {42, 157, 124}, {150, 88, 166}, {214, 73, 118}}};
-constexpr Vec3 kObstacleColor{0.72, 0.70, 0.67};
 
 Vec3 paletteColor(std::size_t index) {
     const auto& c = kPalette[index % kPalette.size()];
@@ -330,7 +329,7 @@ void SceneReader::readObstacles(const Json& obstacles) {
         const std::string path = "/obstacles" + pathPart(i);
         const Json& value = obstacles[i];
         SceneObstacle obstacle;
-        obstacle.color = kObstacleColor;
+        obstacle.color = kDefaultObstacleColor;
         if (value.is_object() && value.contains("type")) {
             readPlane(value, path, obstacle);
         } else if (json_.object(value, path,

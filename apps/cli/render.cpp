@@ -41,7 +41,8 @@ std::vector<Ghost> ghostsAt(const Show& show, const Scene& scene, const Timeline
     std::vector<Ghost> ghosts;
     for (std::size_t i = 0; i < times.size(); ++i) {
         trail[i].trail = true;
-        keys[i].weight = ghostWeight(i, times.size());
+        const float weight = ghostWeight(i, times.size());
+        keys[i].weight = all_keys ? 0.5F + 0.5F * weight : weight;
     }
     for (std::vector<Ghost>* group : {&trail, &keys}) {
         std::copy_if(group->begin(), group->end(), std::back_inserter(ghosts),

@@ -9,7 +9,6 @@ namespace elastoon {
 namespace {
 
 constexpr double kLevel = 0.9999; // cosine to up from which a plane is the ground
-constexpr Vec3 kPlainColor{0.72, 0.70, 0.67}; // an obstacle's where the scene names none: planes are then neutral
 
 struct Box {
     Vec3 low{0.0}, high{0.0};
@@ -170,7 +169,7 @@ void Show::placeAt(double t) {
         DrawnPlane plane;
         plane.point = setting.local(frame.originAt(t));
         plane.normal = glm::vec3(frame.orientationAt(t) * glm::normalize(obstacle.def.normal));
-        plane.color = linearFromSrgb(obstacle.color) / linearFromSrgb(kPlainColor);
+        plane.color = linearFromSrgb(obstacle.color) / linearFromSrgb(kDefaultObstacleColor);
         if (!setting.ground && glm::dot(Vec3(plane.normal), up) > kLevel) {
             setting.ground = plane;
         } else {

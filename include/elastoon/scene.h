@@ -24,6 +24,9 @@ struct SceneBody {
     Vec3 color{0.0}; ///< sRGB 0..1
 };
 
+/// sRGB of an obstacle that names no colour.
+inline constexpr Vec3 kDefaultObstacleColor{0.72, 0.70, 0.67};
+
 struct SceneObstacle {
     std::string name;
     ObstacleDef def;
