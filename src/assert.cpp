@@ -1,6 +1,8 @@
 // See assert.h.
 #include "elastoon/assert.h"
 
+#include "elastoon/result.h"
+
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -26,6 +28,11 @@ AssertHandler setAssertHandler(AssertHandler handler) {
 
 void assertionFailed(const char* condition, const char* message, const char* file, int line) {
     current_handler.load()(condition, message, file, line);
+}
+
+void resultWithoutValue(const Error& error) {
+    assertionFailed("result.ok()", error.text().c_str(), __FILE__, __LINE__);
+    std::abort();
 }
 
 } // namespace elastoon

@@ -15,6 +15,9 @@ struct Error {
     [[nodiscard]] std::string text() const { return where.empty() ? message : where + ": " + message; }
 };
 
+/// Tells that value() was called where there is only an error, through the assertion handler; then ends the program.
+[[noreturn]] void resultWithoutValue(const Error& error);
+
 /// Either a T or the Error that says why there is none.
 template <class T>
 class [[nodiscard]] Result {
@@ -25,15 +28,30 @@ public:
     [[nodiscard]] bool ok() const { return held_.index() == 0; }
     explicit operator bool() const { return ok(); }
 
-    /// The value. Only when ok().
-    [[nodiscard]] T& value() & { return *std::get_if<0>(&held_); }
-    [[nodiscard]] const T& value() const& { return *std::get_if<0>(&held_); }
-    [[nodiscard]] T&& value() && { return std::move(*std::get_if<0>(&held_)); }
+    /// The value. Only when ok(): else it tells the error and ends the program.
+    [[nodiscard]] T& value() & {
+        check();
+        return *std::get_if<0>(&held_);
+    }
+    [[nodiscard]] const T& value() const& {
+        check();
+        return *std::get_if<0>(&held_);
+    }
+    T value() && {
+        check();
+        return std::move(*std::get_if<0>(&held_));
+    }
 
     /// The reason. Only when not ok().
     [[nodiscard]] const Error& error() const { return *std::get_if<1>(&held_); }
 
 private:
+    void check() const {
+        if (!ok()) {
+            resultWithoutValue(error());
+        }
+    }
+
     std::variant<T, Error> held_;
 };
 
