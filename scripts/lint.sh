@@ -17,5 +17,5 @@ printf '%s\0' "${todo[@]}" | xargs -0 -n 2 -P "$(nproc)" bash -c '
   if clang-tidy-19 -p build/clang --quiet --warnings-as-errors="*" "$0" > "$1.log" 2>&1; then
     rm -f "$1.log"; touch "$1"
   else
-    grep -E "warning|error" "$1.log"; rm -f "$1.log"; exit 255
+    grep -E "(warning|error):" "$1.log" | sort -u; rm -f "$1.log"; exit 1
   fi'

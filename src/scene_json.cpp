@@ -272,8 +272,8 @@ Vec3 JsonReader::color(const Json& value, const std::string& path) {
         return Vec3(0.0);
     }
     Vec3 result(0.0);
-    for (int channel = 0; channel < 3; ++channel) {
-        result[channel] = std::stoi(text.substr(static_cast<std::size_t>(1 + 2 * channel), 2), nullptr, 16) / 255.0;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        result[static_cast<int>(channel)] = std::stoi(text.substr(1 + 2 * channel, 2), nullptr, 16) / 255.0;
     }
     return result;
 }

@@ -92,7 +92,7 @@ void meet(const Surroundings& around, BodySlot& body, BodyId id, const Met& met,
     const Vec3 contact = impact->surface.pointAt(met.time);
     const double speed = glm::length(touching.velocity - obstacle.frame.velocityAt(met.time, contact));
     out.events.push_back(eventOf(EventType::Impact, met.time, id, phase, impact->surface, speed, impact->curve));
-    beginPhase(body, id, std::move(phase), out);
+    beginPhase(body, id, phase, out);
 }
 
 /// The impact is over: the body flies off, or rests.
@@ -118,13 +118,13 @@ void endImpact(const Surroundings& around, BodySlot& body, BodyId id, Happenings
     next.obstacle = phase.obstacle;
     next.motion = rest;
     out.events.push_back(eventOf(EventType::Rest, t, id, next, impact.surface, speed, impact.curve));
-    beginPhase(body, id, std::move(next), out);
+    beginPhase(body, id, next, out);
 }
 
 } // namespace
 
-void beginPhase(BodySlot& body, BodyId id, Phase phase, Happenings& out) {
-    body.phase = std::move(phase);
+void beginPhase(BodySlot& body, BodyId id, const Phase& phase, Happenings& out) {
+    body.phase = phase;
     out.phases.push_back({id, body.phase});
 }
 
@@ -157,7 +157,7 @@ void beginFlying(const Surroundings& around, BodySlot& body, BodyId id, double t
         }
     }
     phase.motion = flight;
-    beginPhase(body, id, std::move(phase), out);
+    beginPhase(body, id, phase, out);
 }
 
 void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {

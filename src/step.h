@@ -50,7 +50,7 @@ struct Happenings {
 }
 
 /// Gives the body its next phase and notes it.
-void beginPhase(BodySlot& body, BodyId id, Phase phase, Happenings& out);
+void beginPhase(BodySlot& body, BodyId id, const Phase& phase, Happenings& out);
 
 /// Lets the body fly from this pose at time t. A surface that it touches and parts from is left; others are met at
 /// once.

@@ -356,7 +356,7 @@ Status World::setObstacleMotion(ObstacleId id, const Vec3& velocity, const Vec3&
             impl_->flyOn(idOfBody(i, body), velocityAt(body.phase, *body.shape, t));
             continue;
         }
-        beginPhase(body, idOfBody(i, body), std::move(phase), impl_->pending);
+        beginPhase(body, idOfBody(i, body), phase, impl_->pending);
     }
     return success();
 }

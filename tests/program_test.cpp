@@ -117,12 +117,12 @@ TEST_F(Program, HelpIsThereForEveryCommand) {
 
 TEST_F(Program, BadUseExitsWithTwoAndOneMessage) {
     const std::string good = scenePath("hello.json");
-    const std::string flat = write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const std::string flat_mesh =
         write("m.json", R"({"elastoon": 1, "shapes": {"rock": {"type": "mesh", "file": "flat.obj"}}})");
     const std::string no_mesh =
         write("n.json", R"({"elastoon": 1, "shapes": {"rock": {"type": "mesh", "file": "gone.obj"}}})");
-    const std::string empty_mesh_file = write("empty.obj", "");
+    write("empty.obj", "");
     const std::string empty_mesh =
         write("o.json", R"({"elastoon": 1, "shapes": {"rock": {"type": "mesh", "file": "empty.obj"}}})");
     const std::string typo = write("t.json", R"({"elastoon": 1, "gravty": [0, 0, 0]})");
@@ -161,7 +161,9 @@ TEST_F(Program, BadUseExitsWithTwoAndOneMessage) {
 TEST_F(Program, UnwritableOutputExitsWithOne) {
     const std::string good = scenePath("hello.json");
     for (const std::string target : {"/proc/x.csv", "/dev/null/x.csv"}) {
-        const Ran ran = run("simulate " + good + " --duration 0.1 -o " + target);
+        std::string arguments = "simulate " + good;
+        arguments += " --duration 0.1 -o ";
+        const Ran ran = run(arguments + target);
         EXPECT_EQ(ran.code, 1) << ran.output;
         EXPECT_NE(ran.output.find("cannot"), std::string::npos) << ran.output;
     }

@@ -87,7 +87,8 @@ TEST_F(Recording, PosesAreTheTimelinesToTheLastBit) {
         const auto& row = rows[i];
         ASSERT_EQ(row.size(), 14U);
         const std::size_t body = (i - 1) % bodies;
-        const double time = static_cast<double>((i - 1) / bodies) / kFps;
+        const std::size_t frame = (i - 1) / bodies;
+        const double time = static_cast<double>(frame) / kFps;
         const Track& track = timeline().tracks()[body];
         const Pose pose = track.poseAt(time);
         const Vec3 velocity = track.velocityAt(time);

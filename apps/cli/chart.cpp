@@ -138,7 +138,7 @@ Vec3 chartColor(std::size_t index) {
 }
 
 Status writeChart(const Chart& chart, const std::string& path) {
-    const Status usable = checked(chart);
+    Status usable = checked(chart);
     if (!usable) {
         return usable;
     }

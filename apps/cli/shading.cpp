@@ -24,7 +24,7 @@ constexpr float kLift = 2e-5F; // of the start of a ray off its surface, in radi
 constexpr std::uint32_t kNearRays = 3; // for a line of sight: another thing close by is what varies most
 
 // What the directions of a sample are for: each gets its own sequence.
-enum Use : std::uint32_t { kKeyUse = 11, kSkyUse = 12, kBounceUse = 13 };
+enum Use : std::uint32_t { KeyUse = 11, SkyUse = 12, BounceUse = 13 };
 
 glm::vec2 unitPoint(SampleKey key, std::uint32_t use) {
     return sampling::point(sampling::hash(key.pixel, use), key.index);
@@ -111,7 +111,7 @@ Reach reachOf(const Setting& setting, std::span<const Bound> bounds, const glm::
 float Shader::keyVisible(const glm::vec3& point, const glm::vec3& normal, SampleKey key) const {
     glm::vec3 tangent, bitangent;
     sampling::frameAbout(setting_.to_light, tangent, bitangent);
-    const glm::vec2 disk = sampling::diskPoint(unitPoint(key, kKeyUse)) * kLightSpread;
+    const glm::vec2 disk = sampling::diskPoint(unitPoint(key, KeyUse)) * kLightSpread;
     const glm::vec3 direction = glm::normalize(setting_.to_light + tangent * disk.x + bitangent * disk.y);
     if (glm::dot(direction, normal) <= 0.0F) {
         return 1.0F; // in the surface's own shade, which keyIrradiance() knows of: a ray would count it twice
@@ -127,7 +127,7 @@ Color Shader::openIrradiance(const glm::vec3& normal) const {
 /// light.
 Color Shader::nearChange(const glm::vec3& point, const glm::vec3& normal, bool things_near, SampleKey key) const {
     const Ray ray{point + normal * (kLift * setting_.radius),
-                  sampling::cosineDirection(normal, unitPoint(key, kSkyUse))};
+                  sampling::cosineDirection(normal, unitPoint(key, SkyUse))};
     const Color open = skyRadiance(setting_, ray.direction);
     ThingHit hit;
     if (things_near && things_.nearest(ray, kFar, hit)) {
@@ -147,7 +147,7 @@ Color Shader::nearChange(const glm::vec3& point, const glm::vec3& normal, bool t
     if (!mayShade(setting_, things_.bounds(), foot, kNoThing)) {
         light += keyIrradiance(setting_, up);
     } else {
-        light += keyIrradiance(setting_, up) * keyVisible(foot, up, {key.pixel ^ kBounceUse, key.index});
+        light += keyIrradiance(setting_, up) * keyVisible(foot, up, {key.pixel ^ BounceUse, key.index});
     }
     return open * (light / openIrradiance(up) - 1.0F);
 }

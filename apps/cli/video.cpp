@@ -64,7 +64,9 @@ std::vector<std::string> argumentsFor(const std::string& program, Kind kind, Pic
 }
 
 std::string lastLineOf(std::FILE* file) {
-    std::rewind(file);
+    if (std::fseek(file, 0, SEEK_SET) != 0) {
+        return {};
+    }
     std::string text(65536, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), file));
     text.erase(text.find_last_not_of("\n\r ") + 1);
