@@ -20,16 +20,16 @@ namespace fs = std::filesystem;
 class Video : public testing::Test {
 protected:
     void SetUp() override {
-        folder = fs::path(testing::TempDir()) /
+        folder_ = fs::path(testing::TempDir()) /
                  ("elastoon_video_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-        fs::remove_all(folder);
-        fs::create_directories(folder);
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
     }
-    void TearDown() override { fs::remove_all(folder); }
-    [[nodiscard]] std::string file(const std::string& name) const { return (folder / name).string(); }
-    [[nodiscard]] long entries() const { return std::distance(fs::directory_iterator(folder), {}); }
+    void TearDown() override { fs::remove_all(folder_); }
+    [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    [[nodiscard]] long entries() const { return std::distance(fs::directory_iterator(folder_), {}); }
 
-    fs::path folder;
+    fs::path folder_;
 };
 
 bool hasFfmpeg() {
