@@ -3,7 +3,7 @@
 set -euo pipefail
 
 packages=(g++ cmake ninja-build ccache pkg-config libglm-dev nlohmann-json3-dev libcli11-dev libfmt-dev libembree-dev
-  libtinygltf-dev libassimp-dev libcairo2-dev libtbb-dev libgtest-dev ffmpeg)
+  libtinygltf-dev libassimp-dev libcairo2-dev libtbb-dev libgtest-dev libqhull-dev ffmpeg)
 if [ "${1:-run}" = test ]; then
   packages+=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev lld-19)
   command -v node > /dev/null || packages+=(nodejs)

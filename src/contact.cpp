@@ -1,10 +1,10 @@
 // See contact.h. Half-space support; the contact region is found among the vertices that tie for it.
 #include "contact.h"
 
+#include "contact_region.h"
+#include "gjk.h"
 #include "rotation.h"
 
-#include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace elastoon {
@@ -13,49 +13,40 @@ namespace {
 
 /// Vertices this close to the plane (share of the body's length) lie in the contact region.
 constexpr double kFlatness = 1e-9;
+/// The same against a solid, where a touch leaves a hair of air.
+constexpr double kSolidFlatness = 1e-7;
 
-using Point = std::pair<double, double>;
-
-double cross(const Point& o, const Point& a, const Point& b) {
-    return (a.first - o.first) * (b.second - o.second) - (a.second - o.second) * (b.first - o.first);
-}
-
-/// Convex hull of points in the plane, counter-clockwise (Andrew's monotone chain).
-std::vector<Point> planarHull(std::vector<Point> points) {
-    std::sort(points.begin(), points.end());
-    std::vector<Point> hull;
-    for (int side = 0; side < 2; ++side) {
-        const std::size_t begin = hull.size();
-        for (const Point& point : points) {
-            while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0.0) {
-                hull.pop_back();
-            }
-            hull.push_back(point);
+/// Vertices of the posed shape that lie furthest in `direction` (world, unit), within `slack` m.
+std::vector<Vec3> supportRegion(const Shape& shape, const Pose& pose, const Vec3& direction, double slack) {
+    const Vec3 in_shape = scaleOf(pose.stretch) * (glm::conjugate(pose.orientation) * direction);
+    const auto vertices = shape.vertices();
+    const double furthest = glm::dot(in_shape, vertices[shape.supportVertex(in_shape)]);
+    std::vector<Vec3> region;
+    for (const Vec3& vertex : vertices) {
+        if (glm::dot(in_shape, vertex) >= furthest - slack) {
+            region.push_back(worldFromShape(pose, vertex));
         }
-        hull.pop_back();
-        std::reverse(points.begin(), points.end());
     }
-    return hull;
+    return region;
 }
 
-/// Area centroid; of a region without area, the middle of its ends.
-Point middleOf(const std::vector<Point>& points) {
-    const std::vector<Point> hull = planarHull(points);
-    double area = 0.0;
-    Point sum{0.0, 0.0};
-    for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
-        const double part = cross(hull[0], hull[i], hull[i + 1]);
-        area += part;
-        sum.first += part * (hull[0].first + hull[i].first + hull[i + 1].first) / 3.0;
-        sum.second += part * (hull[0].second + hull[i].second + hull[i + 1].second) / 3.0;
+/// Coordinates in a plane.
+class Plane {
+public:
+    Plane(const Vec3& base, const Vec3& normal) : base_(base), u_(anyAcross(normal)), v_(glm::cross(normal, u_)) {}
+    [[nodiscard]] std::vector<FlatPoint> flattened(const std::vector<Vec3>& points) const {
+        std::vector<FlatPoint> flat;
+        flat.reserve(points.size());
+        for (const Vec3& point : points) {
+            flat.emplace_back(glm::dot(point - base_, u_), glm::dot(point - base_, v_));
+        }
+        return flat;
     }
-    const auto [low, high] = std::minmax_element(points.begin(), points.end());
-    const double width = high->first - low->first;
-    if (area <= 1e-12 * width * width) {
-        return {0.5 * (low->first + high->first), 0.5 * (low->second + high->second)};
-    }
-    return {sum.first / area, sum.second / area};
-}
+    [[nodiscard]] Vec3 lifted(const FlatPoint& point) const { return base_ + u_ * point.first + v_ * point.second; }
+
+private:
+    Vec3 base_, u_, v_;
+};
 
 } // namespace
 
@@ -69,29 +60,55 @@ double gapTo(const Surface& surface, const Shape& shape, const Pose& pose, doubl
     return glm::dot(normal, pose.position - surface.pointAt(t)) - reachTowards(shape, pose, -normal);
 }
 
-Vec3 contactPoint(const Shape& shape, const Pose& pose, const Vec3& normal) {
-    const Vec3 down = scaleOf(pose.stretch) * (glm::conjugate(pose.orientation) * -normal);
-    const auto vertices = shape.vertices();
-    const double deepest = glm::dot(down, vertices[shape.supportVertex(down)]);
-    std::vector<Vec3> region;
-    for (const Vec3& vertex : vertices) {
-        if (glm::dot(down, vertex) >= deepest - kFlatness * shape.length()) {
-            region.push_back(worldFromShape(pose, vertex));
+double liftToTouch(const Surface& surface, const Shape& shape, const Pose& pose_in_frame) {
+    if (surface.solid) {
+        const auto lift = separationAlong({&shape, linearOf(pose_in_frame), pose_in_frame.position},
+                                          {surface.solid.get(), Mat3(1.0), Vec3(0.0)}, surface.normal);
+        if (lift) {
+            return *lift;
         }
     }
+    return reachTowards(shape, pose_in_frame, -surface.normal) -
+           glm::dot(surface.normal, pose_in_frame.position - surface.point);
+}
+
+namespace {
+
+/// Of a body and a solid that touch: the middle of what their flat parts share. Where they touch without sharing flat
+/// parts (rounding has taken the wrong ones), their nearest points.
+Vec3 contactWithSolid(const Shape& shape, const Pose& pose, const Surface& surface, double t) {
+    const Vec3 normal = surface.normalAt(t);
+    const Pose solid_pose{surface.frame.originAt(t), surface.frame.orientationAt(t), 1.0};
+    const double slack = kSolidFlatness * shape.length();
+    const std::vector<Vec3> above = supportRegion(shape, pose, -normal, slack);
+    const Plane plane(above.front(), normal);
+    const std::vector<FlatPoint> upper = flatHull(plane.flattened(above));
+    const std::vector<FlatPoint> lower =
+        flatHull(plane.flattened(supportRegion(*surface.solid, solid_pose, normal, slack)));
+    const FlatPoint middle = middleOf(commonRegion(upper, lower));
+    if (isWithin(upper, middle, 10.0 * slack) && isWithin(lower, middle, 10.0 * slack)) {
+        return plane.lifted(middle);
+    }
+    ClosestSeed seed;
+    const Vec3 apart = pose.position + normal * (10.0 * slack);
+    const Closest closest = closestPoints({&shape, linearOf(pose), apart},
+                                          {surface.solid.get(), linearOf(solid_pose), solid_pose.position}, seed);
+    return closest.overlap ? plane.lifted(middle) : closest.point_b;
+}
+
+} // namespace
+
+Vec3 contactPoint(const Shape& shape, const Pose& pose, const Surface& surface, double t) {
+    if (surface.solid) {
+        return contactWithSolid(shape, pose, surface, t);
+    }
+    const Vec3 normal = surface.normalAt(t);
+    const std::vector<Vec3> region = supportRegion(shape, pose, -normal, kFlatness * shape.length());
     if (region.size() == 1) {
         return region.front();
     }
-    const Vec3 u = anyAcross(normal);
-    const Vec3 v = glm::cross(normal, u);
-    const Vec3 base = region.front();
-    std::vector<Point> flat;
-    flat.reserve(region.size());
-    for (const Vec3& point : region) {
-        flat.emplace_back(glm::dot(point - base, u), glm::dot(point - base, v));
-    }
-    const Point middle = middleOf(flat);
-    return base + u * middle.first + v * middle.second;
+    const Plane plane(region.front(), normal);
+    return plane.lifted(middleOf(plane.flattened(region)));
 }
 
 } // namespace elastoon

@@ -8,11 +8,15 @@ namespace elastoon {
 /// How far the body reaches from its centroid along `direction` (world, unit), m.
 [[nodiscard]] double reachTowards(const Shape& shape, const Pose& pose, const Vec3& direction);
 
+/// How far the body must be moved along the surface's normal (both in the frame, m) so that it just touches the solid,
+/// or the plane where there is none or the body passes it by. Negative where it is clear.
+[[nodiscard]] double liftToTouch(const Surface& surface, const Shape& shape, const Pose& pose_in_frame);
+
 /// Distance of the body from the surface's plane at time t; negative where it penetrates. m.
 [[nodiscard]] double gapTo(const Surface& surface, const Shape& shape, const Pose& pose, double t);
 
-/// Middle of the region of the body that lies flat on a plane of this normal (world, towards the body): a vertex, the
-/// middle of an edge, or the area centroid of a face. On the body's surface, world.
-[[nodiscard]] Vec3 contactPoint(const Shape& shape, const Pose& pose, const Vec3& normal);
+/// Middle of the region in which a body touches the surface at time t: a vertex, the middle of an edge, the area
+/// centroid of a face; where there is a solid, of the region that the two share. On the body, world.
+[[nodiscard]] Vec3 contactPoint(const Shape& shape, const Pose& pose, const Surface& surface, double t);
 
 } // namespace elastoon

@@ -18,9 +18,10 @@ struct Polytope {
     std::vector<std::uint32_t> face_begin{0};
 };
 
-/// The hull of finite points. Points within 1e-13 of the set's size of a face are taken as on it; faces whose vertices
-/// lie within 1e-11 of the size of one plane are one face. The vertices are given points, in the given order.
-/// Error: fewer than four points, coordinates not finite or beyond 1e9, all equal, on a line, or on a plane.
+/// The hull of finite points. Faces whose corners lie within 1e-11 of the thickness of one plane, or within the
+/// rounding of the coordinates, are one face. Closed, and convex up to a few times that; the vertices are given points,
+/// in the given order. Error: fewer than four points, coordinates not finite or beyond 1e9, all equal, on a line, or on
+/// a plane.
 [[nodiscard]] Result<Polytope> convexHull(std::span<const Vec3> points);
 
 struct MassCenter {

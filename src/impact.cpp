@@ -89,7 +89,7 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
     const MovingFrame& frame = touching.surface.frame;
     Meeting meeting;
     meeting.normal = touching.surface.normalAt(t);
-    Vec3 contact = contactPoint(shape, touching.pose, meeting.normal);
+    Vec3 contact = contactPoint(shape, touching.pose, touching.surface, t);
     contact -= meeting.normal * glm::dot(meeting.normal, contact - touching.surface.pointAt(t));
     meeting.relative_velocity = touching.velocity - frame.velocityAt(t, contact);
     meeting.normal_speed = glm::dot(meeting.relative_velocity, meeting.normal);
@@ -132,8 +132,8 @@ Pose impactPose(const Impact& impact, const Shape& shape, double t) {
     // The contact's material point stays under the contact; then the body is moved along the normal until it touches.
     const Vec3 normal = impact.surface.normal;
     const Vec3 lever = in_frame.orientation * (scaleOf(in_frame.stretch) * impact.contact_in_shape);
-    const double reach = reachTowards(shape, in_frame, -normal);
-    in_frame.position = impact.surface.point - lever + normal * (glm::dot(normal, lever) + reach);
+    in_frame.position = impact.surface.point - lever;
+    in_frame.position += normal * liftToTouch(impact.surface, shape, in_frame);
 
     const MovingFrame& frame = impact.surface.frame;
     const Quat world_from_frame = frame.orientationAt(t);

@@ -3,6 +3,7 @@
 
 #include "dmath.h"
 #include "hull.h"
+#include "topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,6 +192,8 @@ Result<ShapePtr> Shape::fromPoints(ShapeKind kind, std::vector<Vec3> points, dou
     shape->vertices_ = std::move(polytope.vertices);
     shape->face_vertices_ = std::move(polytope.face_vertices);
     shape->face_begin_ = std::move(polytope.face_begin);
+    shape->topology_ =
+        std::make_shared<const Topology>(topologyOf(shape->vertices_, shape->face_vertices_, shape->face_begin_));
     return ShapePtr(shape);
 }
 

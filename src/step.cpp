@@ -17,11 +17,18 @@ namespace {
 /// or a body wedged between surfaces, come near it.
 constexpr int kMostEventsPerStep = 4096;
 
+/// More than this many without any time between them: likewise.
+constexpr int kMostEventsAtOnce = 32;
+
+/// A surface that a body was found to part from is left for this long at least, s: it must not be met again at once.
+constexpr double kLeastLeaving = 1e-3;
+
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 struct Met {
     double time = kNever;
     std::size_t obstacle = 0;
+    Surface surface;
 };
 
 /// Speed of parting below which a surface is not left any more but met: it rests there if it can.
@@ -31,25 +38,33 @@ double leastPartingSpeed(const Surroundings& around, const BodySlot& body, const
                : 0.0;
 }
 
+/// The first touch with one obstacle, as far as `to`.
+std::optional<Touch> firstTouchOf(const BodySlot& body, const ObstacleSlot& obstacle, double from, double to) {
+    if (!obstacle.isPlane()) {
+        return firstSolidTouch(body.phase, *body.shape, obstacle.shape, obstacle.frame, from, to);
+    }
+    const auto time = firstTouch(body.phase, *body.shape, obstacle.surface(), from, to);
+    return time ? std::optional(Touch{*time, obstacle.surface()}) : std::nullopt;
+}
+
 /// The earliest touch within [from, to]; of equal ones that of the obstacle added first.
-/// The surface being left is not looked at until it is left.
+/// The obstacle being left is not looked at until it is left.
 Met earliestTouch(const Surroundings& around, const BodySlot& body, double from, double to) {
     const auto& flight = std::get<Flight>(body.phase.motion);
     Met met;
-    for (std::size_t i = 0; i < around.obstacles.size(); ++i) {
+    thread_local std::vector<std::size_t> candidates;
+    around.near(body.phase, *body.shape, from, to, candidates);
+    for (const std::size_t i : candidates) {
         const ObstacleSlot& obstacle = around.obstacles[i];
-        if (!obstacle.used || !obstacle.isPlane()) {
-            continue;
-        }
         const bool left = flight.leaving_until > from && body.phase.obstacle == idOfObstacle(i, obstacle);
         const double begin = left ? flight.leaving_until : from;
         const double end = std::min(to, met.time);
         if (begin > end) {
             continue;
         }
-        const auto touch = firstTouch(body.phase, *body.shape, obstacle.surface(), begin, end);
-        if (touch && *touch < met.time) {
-            met = {*touch, i};
+        const auto touch = firstTouchOf(body, obstacle, begin, end);
+        if (touch && touch->time < met.time) {
+            met = {touch->time, i, touch->surface};
         }
     }
     return met;
@@ -78,10 +93,14 @@ void meet(const Surroundings& around, BodySlot& body, BodyId id, const Met& met,
                             .pose = poseAt(body.phase, *body.shape, met.time),
                             .velocity = velocityAt(body.phase, *body.shape, met.time),
                             .gravity = around.gravity,
-                            .surface = obstacle.surface()};
+                            .surface = met.surface};
     const std::optional<Impact> impact = beginImpact(touching, *body.shape, body.style);
     if (!impact) {
-        beginFlying(around, body, id, met.time, touching.pose, touching.velocity, Lead::Nearest, out);
+        // The plane that it touched, and no other: what parts from it now must not be found to meet it next.
+        Left left{met.surface, idOfObstacle(met.obstacle, obstacle)};
+        left.surface.solid = nullptr;
+        left.parts = true;
+        beginFlying(around, body, id, met.time, touching.pose, touching.velocity, Lead::Nearest, left, out);
         return;
     }
     Phase phase;
@@ -104,7 +123,8 @@ void endImpact(const Surroundings& around, BodySlot& body, BodyId id, Happenings
     const double speed = glm::length(impact.velocity_out);
     if (!impact.comes_to_rest) {
         out.events.push_back(eventOf(EventType::Release, t, id, phase, impact.surface, speed, impact.curve));
-        beginFlying(around, body, id, t, pose, velocityAfter(impact, t), Lead::Nearest, out);
+        const Left left{impact.surface, phase.obstacle};
+        beginFlying(around, body, id, t, pose, velocityAfter(impact, t), Lead::Nearest, left, out);
         return;
     }
     const MovingFrame& frame = impact.surface.frame;
@@ -121,6 +141,18 @@ void endImpact(const Surroundings& around, BodySlot& body, BodyId id, Happenings
     beginPhase(body, id, next, out);
 }
 
+/// When the flight stops being pushed clear of the surface that it leaves, if it needs the push to the end: what it has
+/// been pushed aside then becomes its way.
+double leavingEndsPushed(const BodySlot& body) {
+    const auto& flight = std::get<Flight>(body.phase.motion);
+    const double until = flight.leaving_until;
+    if (!(until >= body.phase.start && until < kNever)) {
+        return kNever;
+    }
+    const Pose unpushed = unpushedPose(flight, until - body.phase.start);
+    return gapTo(flight.leaving, *body.shape, unpushed, until) < 0.0 ? until : kNever;
+}
+
 } // namespace
 
 void beginPhase(BodySlot& body, BodyId id, const Phase& phase, Happenings& out) {
@@ -129,31 +161,20 @@ void beginPhase(BodySlot& body, BodyId id, const Phase& phase, Happenings& out) 
 }
 
 void beginFlying(const Surroundings& around, BodySlot& body, BodyId id, double t, const Pose& pose,
-                 const Vec3& velocity, Lead lead, Happenings& out) {
+                 const Vec3& velocity, Lead lead, const std::optional<Left>& left, Happenings& out) {
     Phase phase;
     phase.start = t;
     Flight flight = beginFlight(pose, velocity, around.gravity, body.style, lead);
-    const Pose first = unpushedPose(flight, 0.0);
-    double deepest = kTouchGap * body.shape->length();
-    for (std::size_t i = 0; i < around.obstacles.size(); ++i) {
-        const ObstacleSlot& obstacle = around.obstacles[i];
-        if (!obstacle.used || !obstacle.isPlane()) {
-            continue;
+    if (left) {
+        const Surface plane = separatingPlane(left->surface, *body.shape, unpushedPose(flight, 0.0), t);
+        double until = leavingUntil(plane, t, velocity, around.gravity, leastPartingSpeed(around, body, plane, t));
+        if (left->parts) {
+            until = std::max(until, t + kLeastLeaving);
         }
-        Surface surface = obstacle.surface();
-        const double gap = gapTo(surface, *body.shape, first, t);
-        if (gap > deepest) {
-            continue;
-        }
-        surface.point = surface.frame.frameFromWorld(t, contactPoint(*body.shape, first, surface.normalAt(t)) -
-                                                            surface.normalAt(t) * gap);
-        const double until =
-            leavingUntil(surface, t, velocity, around.gravity, leastPartingSpeed(around, body, surface, t));
         if (until > t) {
-            deepest = gap;
-            flight.leaving = surface;
+            flight.leaving = plane;
             flight.leaving_until = until;
-            phase.obstacle = idOfObstacle(i, obstacle);
+            phase.obstacle = left->obstacle;
         }
     }
     phase.motion = flight;
@@ -162,7 +183,9 @@ void beginFlying(const Surroundings& around, BodySlot& body, BodyId id, double t
 
 void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {
     double t = from;
-    for (int i = 0; i < kMostEventsPerStep; ++i) {
+    int stalled = 0;
+    for (int i = 0; i < kMostEventsPerStep && stalled < kMostEventsAtOnce; ++i) {
+        const double before = t;
         if (std::holds_alternative<Rest>(body.phase.motion)) {
             return;
         }
@@ -172,17 +195,26 @@ void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double f
             }
             t = body.phase.end;
             endImpact(around, body, id, out);
+            stalled = t > before ? 0 : stalled + 1;
             continue;
         }
-        const Met met = earliestTouch(around, body, t, to);
-        if (met.time == kNever) {
+        const double pushed_until = leavingEndsPushed(body);
+        const Met met = earliestTouch(around, body, t, std::min(to, pushed_until));
+        if (met.time < kNever) {
+            t = met.time;
+            meet(around, body, id, met, out);
+        } else if (pushed_until <= to) {
+            t = pushed_until;
+            const Pose pose = poseAt(body.phase, *body.shape, t);
+            beginFlying(around, body, id, t, pose, velocityAt(body.phase, *body.shape, t), Lead::Nearest, std::nullopt,
+                        out);
+        } else {
             return;
         }
-        t = met.time;
-        meet(around, body, id, met, out);
+        stalled = t > before ? 0 : stalled + 1;
     }
     const Pose pose = poseAt(body.phase, *body.shape, t);
-    beginFlying(around, body, id, to, pose, velocityAt(body.phase, *body.shape, t), Lead::Nearest, out);
+    beginFlying(around, body, id, to, pose, velocityAt(body.phase, *body.shape, t), Lead::Nearest, std::nullopt, out);
 }
 
 } // namespace elastoon

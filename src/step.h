@@ -3,7 +3,9 @@
 
 #include "elastoon/world.h"
 #include "flight.h"
+#include "obstacle_tree.h"
 
+#include <optional>
 #include <vector>
 
 namespace elastoon {
@@ -27,13 +29,25 @@ struct ObstacleSlot {
 
     [[nodiscard]] bool isPlane() const { return shape == nullptr; }
     /// The surface that a plane shows.
-    [[nodiscard]] Surface surface() const { return {frame, Vec3(0.0), normal}; }
+    [[nodiscard]] Surface surface() const { return {frame, Vec3(0.0), normal, nullptr}; }
 };
 
 /// What bodies meet and what pulls them: all that the motion of one body reads besides itself.
 struct Surroundings {
     Vec3 gravity{0.0};
     std::vector<ObstacleSlot> obstacles;
+    std::vector<std::size_t> planes;        ///< slots, ascending
+    std::vector<std::size_t> moving_solids; ///< slots, ascending
+    ObstacleTree solids;                    ///< boxes that hold now, and in a step through all of it
+
+    /// To be called when an obstacle has come, goes, or moves otherwise; at time t.
+    void include(std::size_t slot, double t);
+    void exclude(std::size_t slot);
+    /// Grows the boxes of moving solids to where they will be within [from, to].
+    void prepareStep(double from, double to);
+    /// Slots of the obstacles that a body in flight may touch within [from, to]: all planes, and the solids near its
+    /// way.
+    void near(const Phase& flight, const Shape& shape, double from, double to, std::vector<std::size_t>& found) const;
 };
 
 /// What the motion of bodies leaves behind.
@@ -52,10 +66,17 @@ struct Happenings {
 /// Gives the body its next phase and notes it.
 void beginPhase(BodySlot& body, BodyId id, const Phase& phase, Happenings& out);
 
-/// Lets the body fly from this pose at time t. A surface that it touches and parts from is left; others are met at
-/// once.
+/// A surface that a body was held by or has brushed, and whose it is.
+struct Left {
+    Surface surface;
+    ObstacleId obstacle;
+    bool parts = false; ///< the body is known to part from it
+};
+
+/// Lets the body fly from this pose at time t. If it parts from the surface that it leaves, it is kept clear of it for
+/// a while; else it meets it again at once.
 void beginFlying(const Surroundings& around, BodySlot& body, BodyId id, double t, const Pose& pose,
-                 const Vec3& velocity, Lead lead, Happenings& out);
+                 const Vec3& velocity, Lead lead, const std::optional<Left>& left, Happenings& out);
 
 /// Moves one body from time `from` to `to` through all its phases.
 /// Reads the surroundings and no other body; writes the body's phase and `out`.

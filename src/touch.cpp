@@ -2,11 +2,13 @@
 // regula falsi. The bounds on turning and lengthening are those of flightBounds(). docs/impact-time.md.
 #include "touch.h"
 
+#include "closest.h"
 #include "contact.h"
 #include "flight.h"
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 namespace elastoon {
@@ -15,6 +17,8 @@ namespace {
 
 /// Below this gap (share of the length) the root is bracketed and finished.
 constexpr double kFinishGap = 1e-5;
+/// Penetrations up to this share of the length are rounding.
+constexpr double kRounding = 1e-6;
 constexpr int kMostAdvances = 100000;
 
 /// One flight against one plane.
@@ -158,6 +162,127 @@ std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const 
         t = next > t ? next : std::nextafter(t, to);
     }
     return t;
+}
+
+namespace {
+
+/// The supporting plane of the solid in direction `normal` (world, unit) at time t, carried by the solid's frame.
+Surface supportingPlane(const ShapePtr& solid, const MovingFrame& frame, const Vec3& normal, double t) {
+    Surface surface;
+    surface.frame = frame;
+    surface.normal = glm::normalize(glm::conjugate(frame.orientationAt(t)) * normal);
+    surface.point = solid->vertices()[solid->supportVertex(surface.normal)];
+    surface.solid = solid;
+    return surface;
+}
+
+PosedShape posed(const Shape& shape, const Pose& pose) {
+    return {&shape, linearOf(pose), pose.position};
+}
+
+PosedShape posed(const ShapePtr& solid, const MovingFrame& frame, double t) {
+    return {solid.get(), glm::mat3_cast(frame.orientationAt(t)), frame.originAt(t)};
+}
+
+/// A supporting plane of the solid that parts it best from a body that touches it, or nearly so. A vanishing distance
+/// has no direction, so the body is also looked at from a hair outside, along each of the hints.
+Surface partingPlane(const Shape& shape, const Pose& pose, const ShapePtr& solid, const MovingFrame& frame, double t,
+                     std::initializer_list<Vec3> hints) {
+    const double hair = kRounding * shape.length();
+    Surface best;
+    double widest = -std::numeric_limits<double>::infinity();
+    const auto consider = [&](const Vec3& normal) {
+        const Surface plane = supportingPlane(solid, frame, normal, t);
+        const double gap = gapTo(plane, shape, pose, t);
+        if (gap > widest) {
+            widest = gap;
+            best = plane;
+        }
+    };
+    for (const Vec3& hint : hints) {
+        Pose outside = pose;
+        outside.position += hint * hair;
+        ClosestSeed seed;
+        const Closest closest = closestPoints(posed(shape, outside), posed(solid, frame, t), seed);
+        consider(!closest.overlap && closest.distance > 1e-3 * hair
+                     ? (closest.point_a - closest.point_b) / closest.distance
+                     : hint);
+    }
+    return best;
+}
+
+/// From the solid's centre to the body's.
+Vec3 centerLine(const Pose& pose, const Vec3& solid_center) {
+    const Vec3 between = pose.position - solid_center;
+    const double length = glm::length(between);
+    return length > 0.0 ? between / length : Vec3(0.0, 1.0, 0.0);
+}
+
+/// The bounding balls' ways show that they do not meet within [from, to].
+bool ballsMiss(const Flight& flight, const Shape& shape, const Shape& solid, const MovingFrame& frame, double from,
+               double to, double start) {
+    const FlightBounds bounds = flightBounds(flight, shape, from - start, to - start);
+    const double way = (bounds.speed + glm::length(frame.velocity)) * (to - from);
+    const double push = from <= flight.leaving_until ? 2.0 * bounds.reach : 0.0;
+    const double reach = bounds.reach + solid.boundingRadius() + way + push;
+    const Vec3 between = unpushedPose(flight, from - start).position - frame.originAt(from);
+    return glm::dot(between, between) > reach * reach;
+}
+
+} // namespace
+
+std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, const ShapePtr& solid,
+                                     const MovingFrame& frame, double from, double to) {
+    if (ballsMiss(std::get<Flight>(flight.motion), shape, *solid, frame, from, to, flight.start)) {
+        return std::nullopt;
+    }
+    // A plane between the two keeps them apart until the body touches it; then a better plane is sought.
+    ClosestSeed seed;
+    Surface plane;
+    double t = from;
+    for (int i = 0; i < kMostAdvances; ++i) {
+        const Pose pose = poseAt(flight, shape, t);
+        const Closest closest = closestPoints(posed(shape, pose), posed(solid, frame, t), seed);
+        const bool touches = closest.overlap || closest.distance <= kSolidTouchGap * shape.length();
+        // At the touch itself the plane that led there parts the two; a vanishing distance has no direction.
+        if (!touches) {
+            plane = supportingPlane(solid, frame, (closest.point_a - closest.point_b) / closest.distance, t);
+        } else if (i == 0) {
+            const auto& leaving = std::get<Flight>(flight.motion).leaving;
+            plane =
+                partingPlane(shape, pose, solid, frame, t, {leaving.normalAt(t), centerLine(pose, frame.originAt(t))});
+        }
+        if (touches) {
+            return Touch{t, plane};
+        }
+        const std::optional<double> next = firstTouch(flight, shape, plane, t, to);
+        if (!next) {
+            return std::nullopt;
+        }
+        if (*next <= t) {
+            return Touch{t, plane};
+        }
+        t = *next;
+    }
+    return std::nullopt;
+}
+
+Surface separatingPlane(const Surface& surface, const Shape& shape, const Pose& pose, double t) {
+    Surface plane = surface;
+    if (surface.solid) {
+        plane = partingPlane(shape, pose, surface.solid, surface.frame, t,
+                             {surface.normalAt(t), centerLine(pose, surface.frame.originAt(t))});
+        plane.solid = nullptr;
+    }
+    // On a turning surface the velocity under the contact counts.
+    const Vec3 normal = plane.normalAt(t);
+    double gap = gapTo(plane, shape, pose, t);
+    const Vec3 contact = contactPoint(shape, pose, plane, t);
+    if (surface.solid && gap < 0.0 && gap > -kRounding * shape.length()) {
+        gap = 0.0;
+    }
+    plane.point = plane.frame.frameFromWorld(t, contact - normal * gap);
+    return plane;
 }
 
 } // namespace elastoon

@@ -1,4 +1,5 @@
-// When a body in flight first touches a plane: conservative advancement, finished by a bracketed root.
+// When a body in flight first touches a plane or a convex solid: conservative advancement, finished by a bracketed
+// root.
 #pragma once
 
 #include "elastoon/phase.h"
@@ -14,5 +15,22 @@ inline constexpr double kTouchGap = 1e-9;
 /// None if there is no touch. At `from` a gap of kTouchGap or less is a touch.
 [[nodiscard]] std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface,
                                                double from, double to);
+
+/// At this share of the body's length from a solid the body counts as touching it.
+inline constexpr double kSolidTouchGap = 1e-8;
+
+struct Touch {
+    double time = 0.0;
+    Surface surface; ///< a plane between the body and the solid, through the solid's nearest point, with the solid
+};
+
+/// First time in [from, to] at which the flight's body touches the solid, which is carried by `frame`. A body that
+/// overlaps it at `from` touches it there.
+[[nodiscard]] std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, const ShapePtr& solid,
+                                                   const MovingFrame& frame, double from, double to);
+
+/// A plane (without its solid) between the surface's solid and a body that touches it at time t: it does not cut the
+/// body. Of a surface without a solid, that plane. Its point lies under the contact.
+[[nodiscard]] Surface separatingPlane(const Surface& surface, const Shape& shape, const Pose& pose, double t);
 
 } // namespace elastoon

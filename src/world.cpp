@@ -5,6 +5,7 @@
 
 #include "check_input.h"
 #include "contact.h"
+#include "gjk.h"
 #include "hash.h"
 #include "impact.h"
 #include "rotation.h"
@@ -47,10 +48,12 @@ struct World::Impl {
         ELASTOON_ASSERT(slot != nullptr, "the id names no obstacle of this world");
         return *slot;
     }
-    /// The deepest place where this pose penetrates a plane by more than 1e-6 of the length.
+    [[nodiscard]] std::optional<Overlap> overlapWith(std::size_t index, const Shape& shape, const Pose& pose) const;
+    /// The deepest place where this pose penetrates an obstacle by more than 1e-6 of the length.
     [[nodiscard]] std::optional<Overlap> overlap(const Shape& shape, const Pose& pose) const;
-    void flyOn(BodyId id, const Vec3& velocity);
-    void wake(BodyId id);
+    [[nodiscard]] std::optional<Left> heldBy(const BodySlot& body) const;
+    void flyOn(BodyId id, const Vec3& velocity, const std::optional<Left>& left);
+    void wake(BodyId id, const std::optional<Left>& left);
     void takePending();
     void advanceBodies(double to);
 };
@@ -110,18 +113,39 @@ Result<World> World::create(const WorldDef& def) {
     return World(std::move(impl));
 }
 
+/// The depth along the obstacle's normal, or, in a solid, along the way from its centre; not positive: none.
+std::optional<Overlap> World::Impl::overlapWith(std::size_t index, const Shape& shape, const Pose& pose) const {
+    const ObstacleSlot& obstacle = around.obstacles[index];
+    const ObstacleId id = idOfObstacle(index, obstacle);
+    if (obstacle.isPlane()) {
+        const Surface surface = obstacle.surface();
+        return Overlap{id, -gapTo(surface, shape, pose, time), surface.normalAt(time)};
+    }
+    const Vec3 center = obstacle.frame.originAt(time);
+    const PosedShape body{&shape, linearOf(pose), pose.position};
+    const PosedShape solid{obstacle.shape.get(), glm::mat3_cast(obstacle.frame.orientationAt(time)), center};
+    ClosestSeed seed;
+    if (!closestPoints(body, solid, seed).overlap) {
+        return std::nullopt;
+    }
+    const double between = glm::length(pose.position - center);
+    const Vec3 out = between > 0.0 ? (pose.position - center) / between : Vec3(0.0, 1.0, 0.0);
+    return Overlap{id, separationAlong(body, solid, out).value_or(0.0), out};
+}
+
 std::optional<Overlap> World::Impl::overlap(const Shape& shape, const Pose& pose) const {
     std::optional<Overlap> worst;
     double deepest = 1e-6 * shape.length();
-    for (std::size_t i = 0; i < around.obstacles.size(); ++i) {
-        const ObstacleSlot& obstacle = around.obstacles[i];
-        if (!obstacle.used || !obstacle.isPlane()) {
-            continue;
-        }
-        const double depth = -gapTo(obstacle.surface(), shape, pose, time);
-        if (depth > deepest) {
-            deepest = depth;
-            worst = {idOfObstacle(i, obstacle), depth, obstacle.surface().normalAt(time)};
+    std::vector<std::size_t> candidates = around.planes;
+    const double reach = glm::length(scaleOf(pose.stretch)) * shape.boundingRadius();
+    around.solids.query({pose.position - reach, pose.position + reach},
+                        [&](std::size_t slot) { candidates.push_back(slot); });
+    std::sort(candidates.begin(), candidates.end());
+    for (const std::size_t i : candidates) {
+        const auto found = overlapWith(i, shape, pose);
+        if (found && found->depth > deepest) {
+            deepest = found->depth;
+            worst = found;
         }
     }
     return worst;
@@ -163,7 +187,7 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     slot.style = def.style;
     slot.user_data = def.user_data;
     const BodyId id = idOfBody(index, slot);
-    beginFlying(impl_->around, slot, id, impl_->time, pose, def.velocity, Lead::PlusX, impl_->pending);
+    beginFlying(impl_->around, slot, id, impl_->time, pose, def.velocity, Lead::PlusX, std::nullopt, impl_->pending);
     return id;
 }
 
@@ -188,6 +212,7 @@ Result<ObstacleId> World::addObstacle(const ObstacleDef& def) {
     slot.normal = glm::normalize(def.normal);
     slot.frame = {impl_->time, def.position, unitOf(def.rotation), def.velocity, def.angular_velocity};
     slot.user_data = def.user_data;
+    impl_->around.include(index, impl_->time);
     return idOfObstacle(index, slot);
 }
 
@@ -196,11 +221,12 @@ bool World::removeObstacle(ObstacleId id) {
     if (obstacle == nullptr) {
         return false;
     }
+    impl_->around.exclude(id.slot - 1);
     releaseSlot(*obstacle, id.slot - 1, impl_->free_obstacles);
     for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
         const BodySlot& body = impl_->bodies[i];
         if (body.used && body.phase.obstacle == id) {
-            impl_->wake(idOfBody(i, body));
+            impl_->wake(idOfBody(i, body), std::nullopt);
         }
     }
     return true;
@@ -234,15 +260,27 @@ std::vector<ObstacleId> World::obstacles() const {
     return ids;
 }
 
+/// What a body rests on, squashes against or is just leaving.
+std::optional<Left> World::Impl::heldBy(const BodySlot& body) const {
+    if (const auto* impact = std::get_if<Impact>(&body.phase.motion)) {
+        return Left{impact->surface, body.phase.obstacle};
+    }
+    if (const auto* rest = std::get_if<Rest>(&body.phase.motion)) {
+        return Left{rest->surface, body.phase.obstacle};
+    }
+    const auto& flight = std::get<Flight>(body.phase.motion);
+    return flight.leaving_until >= time ? std::optional(Left{flight.leaving, body.phase.obstacle}) : std::nullopt;
+}
+
 /// The body flies on from its present pose; the stretch and axis become those of the velocity.
-void World::Impl::flyOn(BodyId id, const Vec3& velocity) {
+void World::Impl::flyOn(BodyId id, const Vec3& velocity, const std::optional<Left>& left) {
     BodySlot& body = *find(id);
     const Pose pose = poseAt(body.phase, *body.shape, time);
-    beginFlying(around, body, id, time, pose, velocity, Lead::Nearest, pending);
+    beginFlying(around, body, id, time, pose, velocity, Lead::Nearest, left, pending);
 }
 
 /// A body that was held flies on with the velocity that it had.
-void World::Impl::wake(BodyId id) {
+void World::Impl::wake(BodyId id, const std::optional<Left>& left) {
     const BodySlot& body = *find(id);
     const Vec3 velocity = velocityAt(body.phase, *body.shape, time);
     if (const auto* rest = std::get_if<Rest>(&body.phase.motion)) {
@@ -255,7 +293,7 @@ void World::Impl::wake(BodyId id) {
         event.normal = rest->surface.normalAt(time);
         pending.events.push_back(event);
     }
-    flyOn(id, velocity);
+    flyOn(id, velocity, left);
 }
 
 Status World::setPosition(BodyId id, const Vec3& position) {
@@ -273,7 +311,7 @@ Status World::setPosition(BodyId id, const Vec3& position) {
     if (const auto overlap = impl_->overlap(*body->shape, unpushedPose(flight, 0.0))) {
         return overlapError(*overlap);
     }
-    beginFlying(impl_->around, *body, id, impl_->time, pose, velocity, Lead::Nearest, impl_->pending);
+    beginFlying(impl_->around, *body, id, impl_->time, pose, velocity, Lead::Nearest, std::nullopt, impl_->pending);
     return success();
 }
 
@@ -284,7 +322,7 @@ Status World::setVelocity(BodyId id, const Vec3& velocity) {
     if (auto error = checkVector(velocity, kMostSpeed, "velocity")) {
         return *error;
     }
-    impl_->flyOn(id, velocity);
+    impl_->flyOn(id, velocity, impl_->heldBy(*impl_->find(id)));
     return success();
 }
 
@@ -298,7 +336,7 @@ Status World::setStyle(BodyId id, const Style& style) {
     }
     body->style = style;
     if (std::holds_alternative<Flight>(body->phase.motion)) {
-        impl_->flyOn(id, velocityAt(body->phase, *body->shape, impl_->time));
+        impl_->flyOn(id, velocityAt(body->phase, *body->shape, impl_->time), impl_->heldBy(*body));
     }
     return success();
 }
@@ -316,7 +354,7 @@ Status World::setGravity(const Vec3& gravity) {
         const auto* rest = std::get_if<Rest>(&body.phase.motion);
         if (std::holds_alternative<Flight>(body.phase.motion) ||
             (rest != nullptr && !canHold(rest->surface, impl_->time, gravity, body.style))) {
-            impl_->wake(idOfBody(i, body));
+            impl_->wake(idOfBody(i, body), impl_->heldBy(body));
         }
     }
     return success();
@@ -335,25 +373,31 @@ Status World::setObstacleMotion(ObstacleId id, const Vec3& velocity, const Vec3&
     }
     const double t = impl_->time;
     obstacle->frame = {t, obstacle->frame.originAt(t), obstacle->frame.orientationAt(t), velocity, angular_velocity};
+    impl_->around.include(id.slot - 1, t);
     for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
         BodySlot& body = impl_->bodies[i];
         if (!body.used || body.phase.obstacle != id) {
             continue;
         }
+        auto left = impl_->heldBy(body);
         Phase phase = body.phase;
         phase.start = t;
         if (auto* rest = std::get_if<Rest>(&phase.motion)) {
             const Vec3 point = rest->surface.pointAt(t);
             const Vec3 change = obstacle->frame.velocityAt(t, point) - rest->surface.frame.velocityAt(t, point);
             if (glm::dot(change, rest->surface.normalAt(t)) < 0.0) {
-                impl_->wake(idOfBody(i, body));
+                left->surface.frame = obstacle->frame;
+                impl_->wake(idOfBody(i, body), left);
                 continue;
             }
             rest->surface.frame = obstacle->frame;
         } else if (auto* impact = std::get_if<Impact>(&phase.motion)) {
             impact->surface.frame = obstacle->frame;
         } else {
-            impl_->flyOn(idOfBody(i, body), velocityAt(body.phase, *body.shape, t));
+            if (left) {
+                left->surface.frame = obstacle->frame;
+            }
+            impl_->flyOn(idOfBody(i, body), velocityAt(body.phase, *body.shape, t), left);
             continue;
         }
         beginPhase(body, idOfBody(i, body), phase, impl_->pending);
@@ -405,6 +449,7 @@ void World::step(double dt) {
     }
     const double to = impl_->time + dt;
     impl_->takePending();
+    impl_->around.prepareStep(impl_->time, to);
     impl_->advanceBodies(to);
     std::stable_sort(impl_->events.begin(), impl_->events.end(), [](const Event& a, const Event& b) {
         return a.time < b.time || (a.time == b.time && a.body.slot < b.body.slot);

@@ -197,7 +197,7 @@ TEST_F(Program, InterruptedWorkLeavesNothingBehind) {
 
 TEST_F(Program, CheckPassesTheScenes) {
     for (const char* scene : {"hello.json", "figures/1-bouncing-ball.json", "figures/2-stiff-cylinder.json",
-                              "figures/3-soft-cylinder.json"}) {
+                              "figures/3-soft-cylinder.json", "stairs.json", "pachinko.json"}) {
         const Ran ran = run("check " + scenePath(scene));
         EXPECT_EQ(ran.code, 0) << ran.output;
     }

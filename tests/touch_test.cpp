@@ -101,16 +101,22 @@ TEST(Touch, GrazingPassIsFoundOnlyIfItTouches) {
 
 TEST(Contact, IsTheMiddleOfTheCommonRegion) {
     const ShapePtr box = valueOf(Shape::box({1.0, 2.0, 3.0}));
-    EXPECT_LT(glm::length(contactPoint(*box, Pose{}, {0, 1, 0}) - Vec3(0.0, -1.0, 0.0)), 1e-12) << "a face";
+    EXPECT_LT(glm::length(contactPoint(*box, Pose{}, kFloor, 0.0) - Vec3(0.0, -1.0, 0.0)), 1e-12) << "a face";
+    const auto floorOf = [](const Vec3& normal) {
+        Surface surface;
+        surface.normal = normal;
+        return surface;
+    };
     const double half = std::sqrt(0.5);
     const Quat tilt(std::cos(M_PI / 8), 0.0, 0.0, std::sin(M_PI / 8));
-    const Vec3 edge = contactPoint(*box, {Vec3(0.0), tilt, 1.0}, {0, 1, 0});
+    const Vec3 edge = contactPoint(*box, {Vec3(0.0), tilt, 1.0}, kFloor, 0.0);
     EXPECT_LT(glm::length(edge - tilt * Vec3(-0.5, -1.0, 0.0)), 1e-12) << "an edge";
     const Vec3 n = glm::normalize(Vec3(half, 0.7, 0.3));
-    EXPECT_LT(glm::length(contactPoint(*box, Pose{}, n) - Vec3(-0.5, -1.0, -1.5)), 1e-12) << "a corner";
+    EXPECT_LT(glm::length(contactPoint(*box, Pose{}, floorOf(n), 0.0) - Vec3(-0.5, -1.0, -1.5)), 1e-12) << "a corner";
     const ShapePtr cone = valueOf(Shape::cone(0.5, 2.0));
     const Pose squashed{Vec3(0.0), kNoRotation, 0.25};
-    EXPECT_LT(glm::length(contactPoint(*cone, squashed, {1, 0, 0}) - Vec3(-0.125, 0.0, 0.0)), 1e-12) << "a round face";
+    EXPECT_LT(glm::length(contactPoint(*cone, squashed, floorOf({1, 0, 0}), 0.0) - Vec3(-0.125, 0.0, 0.0)), 1e-12)
+        << "a round face";
 }
 
 } // namespace

@@ -21,7 +21,7 @@ class Video : public testing::Test {
 protected:
     void SetUp() override {
         folder_ = fs::path(testing::TempDir()) /
-                 ("elastoon_video_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+                  ("elastoon_video_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
         fs::remove_all(folder_);
         fs::create_directories(folder_);
     }

@@ -33,7 +33,8 @@ void check(const CheckOptions& options) {
     const OracleReport report = inspect(scene, performance.staged, performance.timeline, options.fps);
     fmt::print("{}: {} bodies, {:g} s, {} poses looked at\n", options.scene, scene.bodies.size(), duration,
                report.poses);
-    printRow("deepest penetration", report.depth, OracleReport::kMostDepth, "L");
+    printRow("deepest in a plane", report.depth, OracleReport::kMostDepth, "L");
+    printRow("deepest in a solid", report.solid_depth, OracleReport::kMostSolidDepth, "L");
     printRow("widest gap in contact", report.gap, OracleReport::kMostGap, "L");
     printRow("volume error", report.volume_error, OracleReport::kMostVolumeError, " ");
     printRow("jump between phases", report.jump, OracleReport::kMostJump, "L");

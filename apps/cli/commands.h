@@ -35,7 +35,7 @@ T orFail(Result<T> result, int code = kExitFailed) {
     return std::move(result).value();
 }
 
-/// Reads a scene with mesh support, prints its warnings; ends the command with code 2 on bad input.
+/// Reads a scene with mesh support; ends the command with code 2 on bad input.
 [[nodiscard]] Scene loadScene(const std::string& file);
 
 /// What a scene did from 0 to `duration`, in phases.

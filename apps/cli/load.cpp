@@ -1,4 +1,4 @@
-// What the commands share: reading a scene with its warnings, running it, ending with a message, checking numbers.
+// What the commands share: reading a scene, running it, ending with a message, checking numbers.
 #include "commands.h"
 #include "mesh_file.h"
 #include "progress.h"
@@ -30,16 +30,7 @@ CLI::Validator between(double least, double most) {
 }
 
 Scene loadScene(const std::string& file) {
-    Scene scene = orFail(readScene(file, readMeshPoints), kExitBadUse);
-    const auto solid = std::find_if(scene.obstacles.begin(), scene.obstacles.end(),
-                                    [](const SceneObstacle& obstacle) { return obstacle.shape.has_value(); });
-    if (solid != scene.obstacles.end()) {
-        fmt::print(stderr,
-                   "elastoon: warning: obstacle \"{}\" is a solid; this version draws solids, but bodies collide with "
-                   "planes only\n",
-                   solid->name);
-    }
-    return scene;
+    return orFail(readScene(file, readMeshPoints), kExitBadUse);
 }
 
 Performance perform(const Scene& scene, double duration) {

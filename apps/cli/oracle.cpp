@@ -1,18 +1,19 @@
 // See oracle.h.
 #include "oracle.h"
 
+#include "oracle_solids.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
 namespace elastoon {
 
 namespace {
 
-using Real = long double;
-using RealVec = std::array<Real, 3>;
 using RealMat = std::array<RealVec, 3>; ///< rows
 
 Real dot(const RealVec& a, const RealVec& b) {
@@ -76,9 +77,13 @@ private:
     void lookAtChange(const Track& track, const std::string& name, const Phase& before, const Phase& after);
     static void note(Worst& worst, double value, double t, const std::string& body, const std::string& other);
 
+    void lookAtObstacle(const Track& track, const std::string& name, const Phase& phase, double t, std::size_t index);
+    [[nodiscard]] const SolidWitness& witnessOf(const ShapePtr& shape);
+
     const Scene& scene_;
     const StagedScene& staged_;
     std::vector<RealVec> posed_;
+    std::map<const Shape*, SolidWitness> witnesses_;
 };
 
 void Inspector::note(Worst& worst, double value, double t, const std::string& body, const std::string& other) {
@@ -128,21 +133,63 @@ void Inspector::lookAt(const Track& track, const std::string& name, const Phase&
     const double volume = static_cast<double>(volumeOf(shape, posed_));
     note(report.volume_error, std::fabs(volume / shape.volume() - 1.0), t, name, "");
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
-        const SceneObstacle& obstacle = scene_.obstacles[i];
-        if (obstacle.shape) {
-            continue;
+        lookAtObstacle(track, name, phase, t, i);
+    }
+}
+
+const SolidWitness& Inspector::witnessOf(const ShapePtr& shape) {
+    return witnesses_.try_emplace(shape.get(), *shape).first->second;
+}
+
+/// Where a solid of the scene has its vertices at time t, from its definition alone.
+std::vector<RealVec> solidAt(const ObstacleDef& def, double t) {
+    std::vector<RealVec> vertices;
+    const RealMat rotation = rotationOf(glm::normalize(def.rotation));
+    for (const Vec3& vertex : def.shape->vertices()) {
+        RealVec point = turned(product(rotation, realOf(vertex)), realOf(def.angular_velocity), t);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            point[axis] += realOf(def.position)[axis] + static_cast<Real>(realOf(def.velocity)[axis]) * t;
         }
+        vertices.push_back(point);
+    }
+    return vertices;
+}
+
+/// Least distance that two sets of points can have, by their boxes.
+Real boxGap(const std::vector<RealVec>& a, const std::vector<RealVec>& b) {
+    Real gap = -std::numeric_limits<Real>::infinity();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto less = [axis](const RealVec& p, const RealVec& q) { return p[axis] < q[axis]; };
+        const auto [low_a, high_a] = std::minmax_element(a.begin(), a.end(), less);
+        const auto [low_b, high_b] = std::minmax_element(b.begin(), b.end(), less);
+        gap = std::max({gap, (*low_b)[axis] - (*high_a)[axis], (*low_a)[axis] - (*high_b)[axis]});
+    }
+    return gap;
+}
+
+void Inspector::lookAtObstacle(const Track& track, const std::string& name, const Phase& phase, double t,
+                               std::size_t index) {
+    const SceneObstacle& obstacle = scene_.obstacles[index];
+    const double length = track.shape()->length();
+    const bool held = !std::holds_alternative<Flight>(phase.motion) && phase.obstacle == staged_.obstacles[index];
+    Real least = std::numeric_limits<Real>::infinity();
+    if (obstacle.shape) {
+        const std::vector<RealVec> solid = solidAt(obstacle.def, t);
+        least = boxGap(posed_, solid);
+        if (least <= 0 || held) {
+            least = separationBySat({&witnessOf(track.shape()), posed_}, {&witnessOf(obstacle.def.shape), solid});
+        }
+        note(report.solid_depth, static_cast<double>(-least) / length, t, name, obstacle.name);
+    } else {
         const Plane plane = planeAt(obstacle.def, t);
-        Real least = std::numeric_limits<Real>::infinity();
         for (const RealVec& point : posed_) {
             least = std::min(least, dot(plane.normal, {point[0] - plane.point[0], point[1] - plane.point[1],
                                                        point[2] - plane.point[2]}));
         }
-        const double gap = static_cast<double>(least) / shape.length();
-        note(report.depth, -gap, t, name, obstacle.name);
-        if (!std::holds_alternative<Flight>(phase.motion) && phase.obstacle == staged_.obstacles[i]) {
-            note(report.gap, gap, t, name, obstacle.name);
-        }
+        note(report.depth, static_cast<double>(-least) / length, t, name, obstacle.name);
+    }
+    if (held) {
+        note(report.gap, static_cast<double>(least) / length, t, name, obstacle.name);
     }
 }
 

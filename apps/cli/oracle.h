@@ -19,16 +19,18 @@ struct Worst {
 /// Lengths are in units of the body's length L.
 struct OracleReport {
     Worst depth;        ///< penetration into a plane
+    Worst solid_depth;  ///< penetration into a solid
     Worst gap;          ///< distance from the surface during an impact or at rest
     Worst volume_error; ///< |V / V0 - 1| of the deformed polytope
     Worst jump;         ///< step in position, or in stretch, or in orientation (rad), where one phase follows another
     std::size_t poses = 0;
     std::size_t not_finite = 0;
 
-    static constexpr double kMostDepth = 1e-9, kMostGap = 1e-4, kMostVolumeError = 1e-9, kMostJump = 1e-6;
+    static constexpr double kMostDepth = 1e-9, kMostSolidDepth = 1e-5, kMostGap = 1e-4, kMostVolumeError = 1e-9,
+                            kMostJump = 1e-6;
     [[nodiscard]] bool withinBounds() const {
-        return not_finite == 0 && depth.value <= kMostDepth && gap.value <= kMostGap &&
-               volume_error.value <= kMostVolumeError && jump.value <= kMostJump;
+        return not_finite == 0 && depth.value <= kMostDepth && solid_depth.value <= kMostSolidDepth &&
+               gap.value <= kMostGap && volume_error.value <= kMostVolumeError && jump.value <= kMostJump;
     }
 };
 

@@ -36,6 +36,7 @@ struct Surface {
     MovingFrame frame;
     Vec3 point{0.0};           ///< on the plane, in the frame
     Vec3 normal{0.0, 1.0, 0.0}; ///< unit, towards the body, in the frame
+    ShapePtr solid; ///< the convex solid below the plane, at home in the frame; null: all that is below it
 
     [[nodiscard]] Vec3 normalAt(double t) const { return frame.orientationAt(t) * normal; }
     [[nodiscard]] Vec3 pointAt(double t) const { return frame.worldFromFrame(t, point); }
@@ -45,19 +46,19 @@ struct Surface {
 enum class AxisRule : std::uint8_t {
     Velocity, ///< along the velocity
     Reversal, ///< near-vertical throw: through the vertical at the apex, the forward end is swapped there
-    Fixed,    ///< nothing turns it: no speed and no gravity
+    Fixed, ///< nothing turns it: no speed and no gravity
 };
 
 /// Free flight under constant gravity; the stretch and the axis follow the velocity.
 struct Flight {
-    Vec3 position{0.0};            ///< at start
-    Vec3 velocity{0.0};            ///< at start
+    Vec3 position{0.0}; ///< at start
+    Vec3 velocity{0.0}; ///< at start
     Vec3 gravity{0.0};
     Quat orientation{kNoRotation}; ///< at start
-    Vec3 up{0.0, 1.0, 0.0};        ///< against gravity
-    Vec3 across{1.0, 0.0, 0.0};    ///< unit, the velocity's direction across gravity
-    double speed_across = 0.0;     ///< v_h, m/s
-    double reversal_speed = 0.0;   ///< epsilon = |g| / reversal_rate, m/s
+    Vec3 up{0.0, 1.0, 0.0}; ///< against gravity
+    Vec3 across{1.0, 0.0, 0.0}; ///< unit, the velocity's direction across gravity
+    double speed_across = 0.0; ///< v_h, m/s
+    double reversal_speed = 0.0; ///< epsilon = |g| / reversal_rate, m/s
     double max_stretch = 1.0, stretch_rate = 0.0;
     AxisRule rule = AxisRule::Velocity;
     /// The surface just left. Until leaving_until (inclusive) the body is pushed clear of it along its normal, should

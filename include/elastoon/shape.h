@@ -14,6 +14,7 @@
 namespace elastoon {
 
 class Shape;
+struct Topology;
 /// Shapes are immutable and shared between worlds and bodies.
 using ShapePtr = std::shared_ptr<const Shape>;
 
@@ -70,6 +71,9 @@ public:
     /// The vertex furthest in `direction` (shape frame, any length): the first such one.
     [[nodiscard]] std::size_t supportVertex(const Vec3& direction) const;
 
+    /// Edges, and what meets what: for the library's own collision.
+    [[nodiscard]] const Topology& topology() const { return *topology_; }
+
 private:
     Shape() = default;
     static Result<ShapePtr> fromPoints(ShapeKind kind, std::vector<Vec3> points, double radius);
@@ -78,6 +82,7 @@ private:
     std::vector<Vec3> vertices_;
     std::vector<std::uint32_t> face_vertices_;
     std::vector<std::uint32_t> face_begin_;
+    std::shared_ptr<const Topology> topology_;
     Vec3 extents_{0.0};
     Vec3 centroid_of_input_{0.0};
     double length_ = 0.0, bounding_radius_ = 0.0, reach_along_ = 0.0, reach_across_ = 0.0;

@@ -89,7 +89,7 @@ struct PhaseBegun {
 };
 
 /// Bodies do not meet each other; obstacles do not react. Not thread-safe: one call at a time on one world.
-/// Today planes are collided with; convex obstacles are kept and moved, and bodies pass through them.
+/// One contact at a time: a body in an impact with one obstacle may enter another until that impact ends.
 class World {
 public:
     /// Gravity that is not finite or too large is refused.

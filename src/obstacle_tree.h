@@ -1,0 +1,148 @@
+// Which obstacles may be near: a tree of axis-aligned boxes, and the boxes of obstacles and of bodies in flight.
+#pragma once
+
+#include "elastoon/phase.h"
+
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace elastoon {
+
+/// All points with low <= point <= high, along each axis.
+struct Box {
+    Vec3 low{0.0};
+    Vec3 high{0.0};
+};
+
+/// They share a point, if only on their border.
+[[nodiscard]] inline bool meet(const Box& a, const Box& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+[[nodiscard]] inline Box unionOf(const Box& a, const Box& b) {
+    return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
+
+struct IndexedBox {
+    std::size_t index = 0;
+    Box box;
+};
+
+/// Boxes under indices (small numbers: slots), with their neighbourhoods. A query looks at about log(n) nodes besides
+/// those that it finds. Queries may run at the same time; changes may not.
+///
+/// What is found depends on the boxes alone. The order of visits also depends on the changes before, so results that
+/// depend on the order are to be sorted by index: meeting() does.
+class ObstacleTree {
+public:
+    /// The boxes must be finite, low <= high; an index must not be there twice. Else it asserts and does nothing.
+    void insert(std::size_t index, const Box& box);
+    /// Gives the index a new box. It must be there.
+    void update(std::size_t index, const Box& box);
+    /// False if it is not there.
+    bool remove(std::size_t index);
+    /// These boxes instead of all that were there: quicker than one by one, and the same tree whatever their order.
+    void build(std::span<const IndexedBox> boxes);
+    void clear();
+
+    [[nodiscard]] bool contains(std::size_t index) const;
+    /// The box of an index that is there.
+    [[nodiscard]] const Box& box(std::size_t index) const { return nodes_[asSize(leaf_of_[index])].box; }
+    [[nodiscard]] std::size_t size() const { return count_; }
+    /// Number of nodes from the root to the furthest leaf.
+    [[nodiscard]] int depth() const { return root_ == kNone ? 0 : nodes_[asSize(root_)].height + 1; }
+
+    /// Calls visitor(index) for every index whose box meets this one. A visitor that returns bool stops the query with
+    /// false. Gives the number of nodes looked at.
+    template <class Visitor>
+    std::size_t query(const Box& box, Visitor&& visitor) const {
+        return walk([&](const Box& other) { return meet(box, other); }, visitor);
+    }
+    /// The same for a box that moves from where it is along `way` in a straight line: for ways that are long and aslant
+    /// it finds far fewer than the box around all of the way. Boxes within rounding of it may be found too.
+    template <class Visitor>
+    std::size_t sweep(const Box& box, const Vec3& way, Visitor&& visitor) const {
+        return walk([&](const Box& other) { return sweepMeets(box, way, other); }, visitor);
+    }
+    /// The indices whose boxes meet this one, ascending, in place of what `found` held.
+    void meeting(const Box& box, std::vector<std::size_t>& found) const;
+
+private:
+    static constexpr int kNone = -1;
+
+    struct Node {
+        Box box;
+        int parent = kNone;
+        int children[2] = {kNone, kNone}; ///< none: a leaf
+        int height = 0; ///< of a leaf 0
+        std::uint32_t index = 0; ///< of a leaf
+
+        [[nodiscard]] bool isLeaf() const { return children[0] == kNone; }
+    };
+
+    static std::size_t asSize(int i) { return static_cast<std::size_t>(i); }
+    static bool sweepMeets(const Box& box, const Vec3& way, const Box& other);
+    Node& at(int node) { return nodes_[asSize(node)]; }
+    [[nodiscard]] const Node& at(int node) const { return nodes_[asSize(node)]; }
+
+    int makeNode();
+    int makeLeaf(std::size_t index, const Box& box);
+    [[nodiscard]] int bestSibling(const Box& box) const;
+    void addLeaf(int leaf);
+    void dropLeaf(int leaf);
+    void refit(int node);
+    void refitUpwards(int node);
+    void setChild(int parent, int slot, int child);
+    void replaceChild(int parent, int old_child, int new_child);
+    void exchange(int node, int child, int grandchild);
+    void balance(int node);
+    void rotate(int node);
+    void split(std::span<int> leaves, int parent, int slot);
+
+    /// Goes over the tree from parent to child and back, so it needs no stack, however deep the tree is.
+    template <class Meets, class Visitor>
+    std::size_t walk(Meets&& meets, Visitor&& visitor) const {
+        std::size_t looked_at = 0;
+        int node = root_;
+        while (node != kNone) {
+            ++looked_at;
+            const Node& here = at(node);
+            if (meets(here.box)) {
+                if (!here.isLeaf()) {
+                    node = here.children[0];
+                    continue;
+                }
+                if constexpr (std::is_void_v<decltype(visitor(std::size_t{}))>) {
+                    visitor(static_cast<std::size_t>(here.index));
+                } else if (!visitor(static_cast<std::size_t>(here.index))) {
+                    return looked_at;
+                }
+            }
+            int parent = here.parent;
+            while (parent != kNone && at(parent).children[1] == node) {
+                node = parent;
+                parent = at(node).parent;
+            }
+            node = parent == kNone ? kNone : at(parent).children[1];
+        }
+        return looked_at;
+    }
+
+    std::vector<Node> nodes_;
+    std::vector<int> free_;
+    std::vector<int> leaf_of_; ///< by index
+    int root_ = kNone;
+    std::size_t count_ = 0;
+};
+
+/// Box around the obstacle of this shape at time t: exact but for the rounding of its corners.
+[[nodiscard]] Box boxOf(const Shape& shape, const MovingFrame& frame, double t);
+/// Box that holds the obstacle at every time within [from, to].
+[[nodiscard]] Box sweptBox(const Shape& shape, const MovingFrame& frame, double from, double to);
+/// Box that holds a body in flight at every time within [from, to] (not before the flight's start): the parabola's own
+/// box, grown by the greatest reach of the body, and by the way that it may be pushed off a surface that it leaves.
+[[nodiscard]] Box sweptBox(const Phase& flight, const Shape& shape, double from, double to);
+
+} // namespace elastoon

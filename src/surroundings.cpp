@@ -1,0 +1,52 @@
+// Which obstacles a body may meet: planes always, solids by their boxes. See step.h.
+#include "step.h"
+
+#include <algorithm>
+
+namespace elastoon {
+
+namespace {
+
+void insertSorted(std::vector<std::size_t>& sorted, std::size_t value) {
+    sorted.insert(std::lower_bound(sorted.begin(), sorted.end(), value), value);
+}
+
+} // namespace
+
+void Surroundings::include(std::size_t slot, double t) {
+    const ObstacleSlot& obstacle = obstacles[slot];
+    exclude(slot);
+    if (obstacle.isPlane()) {
+        insertSorted(planes, slot);
+        return;
+    }
+    solids.insert(slot, boxOf(*obstacle.shape, obstacle.frame, t));
+    if (obstacle.frame.moves()) {
+        insertSorted(moving_solids, slot);
+    }
+}
+
+void Surroundings::exclude(std::size_t slot) {
+    std::erase(planes, slot);
+    std::erase(moving_solids, slot);
+    solids.remove(slot);
+}
+
+void Surroundings::prepareStep(double from, double to) {
+    for (const std::size_t slot : moving_solids) {
+        solids.update(slot, sweptBox(*obstacles[slot].shape, obstacles[slot].frame, from, to));
+    }
+}
+
+void Surroundings::near(const Phase& flight, const Shape& shape, double from, double to,
+                        std::vector<std::size_t>& found) const {
+    found.clear();
+    if (solids.size() > 0) {
+        solids.meeting(sweptBox(flight, shape, from, to), found);
+    }
+    const auto middle = static_cast<std::ptrdiff_t>(found.size());
+    found.insert(found.end(), planes.begin(), planes.end());
+    std::inplace_merge(found.begin(), found.begin() + middle, found.end());
+}
+
+} // namespace elastoon
