@@ -198,7 +198,7 @@ TEST_F(Program, InterruptedWorkLeavesNothingBehind) {
 TEST_F(Program, CheckPassesTheScenes) {
     for (const char* scene : {"hello.json", "figures/1-bouncing-ball.json", "figures/2-stiff-cylinder.json",
                               "figures/3-soft-cylinder.json", "stairs.json", "pachinko.json"}) {
-        const Ran ran = run("check " + scenePath(scene));
+        const Ran ran = run("check --fps 30 --duration 2.5 " + scenePath(scene));
         EXPECT_EQ(ran.code, 0) << ran.output;
     }
 }

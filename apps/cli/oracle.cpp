@@ -206,7 +206,7 @@ void Inspector::lookAtChange(const Track& track, const std::string& name, const 
 }
 
 void Inspector::lookAtTrack(const Track& track, const std::string& name, double from, double to, double fps) {
-    constexpr int kSamplesInImpact = 64;
+    constexpr int kSamplesInImpact = 16;
     for (double k = 0.0; from + k / fps <= to; k += 1.0) {
         lookAt(track, name, track.phaseAt(from + k / fps), from + k / fps);
     }

@@ -34,7 +34,7 @@ struct OracleReport {
     }
 };
 
-/// Looks at every body at `fps` times a second, at every change of phase, and at 64 times within each impact.
+/// Looks at every body at `fps` times a second, at every change of phase, and at 16 times within each impact.
 [[nodiscard]] OracleReport inspect(const Scene& scene, const StagedScene& staged, const Timeline& timeline, double fps);
 
 } // namespace elastoon
