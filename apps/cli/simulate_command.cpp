@@ -3,6 +3,7 @@
 #include "gltf_export.h"
 #include "progress.h"
 #include "recording.h"
+#include "video.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 namespace elastoon {
@@ -27,13 +27,6 @@ struct SimulateOptions {
     std::vector<std::string> outputs;
     std::string events;
 };
-
-std::string endingOf(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return ending;
-}
 
 /// Wrong endings are bad use, and are told before the work, not after it.
 void checkOutputs(const SimulateOptions& options) {
