@@ -2,7 +2,7 @@
 # Makes the pictures of the README and docs/ with the program itself.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-scripts/build.sh release elastoon
+scripts/build.sh release elastoon_program
 program=build/release/elastoon
 images=docs/images
 mkdir -p "$images"

@@ -105,10 +105,14 @@ Pair Gjk::pairOf(std::uint32_t index_a, std::uint32_t index_b) const {
 
 /// The pair furthest against the direction.
 Pair Gjk::supportAgainst(const Vec3& direction) const {
-    const std::uint32_t from_a = count_ > 0 ? pairs_[0].index_a : 0;
-    const std::uint32_t from_b = count_ > 0 ? pairs_[0].index_b : 0;
-    return pairOf(climb(a_.shape->vertices(), a_.shape->topology(), -(direction * a_.linear), from_a),
-                  climb(b_.shape->vertices(), b_.shape->topology(), direction * b_.linear, from_b));
+    const Vec3 in_a = -(direction * a_.linear);
+    const Vec3 in_b = direction * b_.linear;
+    if (count_ == 0) {
+        return pairOf(static_cast<std::uint32_t>(a_.shape->supportVertex(in_a)),
+                      static_cast<std::uint32_t>(b_.shape->supportVertex(in_b)));
+    }
+    return pairOf(climb(a_.shape->vertices(), a_.shape->topology(), in_a, pairs_[0].index_a),
+                  climb(b_.shape->vertices(), b_.shape->topology(), in_b, pairs_[0].index_b));
 }
 
 /// Exact where the two share a vertex, and relative to the smaller body where they do not differ in the larger.

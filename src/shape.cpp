@@ -13,6 +13,9 @@ namespace elastoon {
 
 namespace {
 
+/// Up to this many, looking at all is as quick as climbing.
+constexpr std::size_t kFewVertices = 12;
+
 std::string numberText(double value) {
     std::string text = std::to_string(value);
     return text;
@@ -194,6 +197,9 @@ Result<ShapePtr> Shape::fromPoints(ShapeKind kind, std::vector<Vec3> points, dou
     shape->face_begin_ = std::move(polytope.face_begin);
     shape->topology_ =
         std::make_shared<const Topology>(topologyOf(shape->vertices_, shape->face_vertices_, shape->face_begin_));
+    const bool climbs = shape->topology_->closed && shape->vertices_.size() > kFewVertices;
+    shape->climb_starts_ =
+        std::make_shared<const ClimbStarts>(climbs ? ClimbStarts(shape->vertices_, *shape->topology_) : ClimbStarts());
     return ShapePtr(shape);
 }
 
@@ -202,6 +208,9 @@ std::span<const std::uint32_t> Shape::face(std::size_t index) const {
 }
 
 std::size_t Shape::supportVertex(const Vec3& direction) const {
+    if (!climb_starts_->empty()) {
+        return climb(vertices_, *topology_, direction, climb_starts_->near(direction));
+    }
     std::size_t best = 0;
     double furthest = glm::dot(direction, vertices_[0]);
     for (std::size_t i = 1; i < vertices_.size(); ++i) {

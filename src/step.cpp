@@ -39,9 +39,9 @@ double leastPartingSpeed(const Surroundings& around, const BodySlot& body, const
 }
 
 /// The first touch with one obstacle, as far as `to`.
-std::optional<Touch> firstTouchOf(const BodySlot& body, const ObstacleSlot& obstacle, double from, double to) {
+std::optional<Touch> firstTouchOf(BodySlot& body, const ObstacleSlot& obstacle, ObstacleId id, double from, double to) {
     if (!obstacle.isPlane()) {
-        return firstSolidTouch(body.phase, *body.shape, obstacle.shape, obstacle.frame, from, to);
+        return firstSolidTouch(body.phase, *body.shape, obstacle.shape, obstacle.frame, from, to, body.seeds.of(id));
     }
     const auto time = firstTouch(body.phase, *body.shape, obstacle.surface(), from, to);
     return time ? std::optional(Touch{*time, obstacle.surface()}) : std::nullopt;
@@ -49,20 +49,21 @@ std::optional<Touch> firstTouchOf(const BodySlot& body, const ObstacleSlot& obst
 
 /// The earliest touch within [from, to]; of equal ones that of the obstacle added first.
 /// The obstacle being left is not looked at until it is left.
-Met earliestTouch(const Surroundings& around, const BodySlot& body, double from, double to) {
+Met earliestTouch(const Surroundings& around, BodySlot& body, double from, double to) {
     const auto& flight = std::get<Flight>(body.phase.motion);
     Met met;
     thread_local std::vector<std::size_t> candidates;
     around.near(body.phase, *body.shape, from, to, candidates);
     for (const std::size_t i : candidates) {
         const ObstacleSlot& obstacle = around.obstacles[i];
-        const bool left = flight.leaving_until > from && body.phase.obstacle == idOfObstacle(i, obstacle);
+        const ObstacleId id = idOfObstacle(i, obstacle);
+        const bool left = flight.leaving_until > from && body.phase.obstacle == id;
         const double begin = left ? flight.leaving_until : from;
         const double end = std::min(to, met.time);
         if (begin > end) {
             continue;
         }
-        const auto touch = firstTouchOf(body, obstacle, begin, end);
+        const auto touch = firstTouchOf(body, obstacle, id, begin, end);
         if (touch && touch->time < met.time) {
             met = {touch->time, i, touch->surface};
         }

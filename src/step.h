@@ -1,14 +1,44 @@
 // The parts of World::step, in its order. docs/step.md tells them in the same words.
 #pragma once
 
+#include "closest.h"
 #include "elastoon/world.h"
 #include "flight.h"
 #include "obstacle_tree.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace elastoon {
+
+/// Where V-Clip's last walk ended, for the few solids that a body is near to: kept from step to step, and copied with
+/// the body, so that a copy goes on with the same bits.
+class PairSeeds {
+public:
+    /// The pair's own; a new one in place of the one that has been longest unused.
+    ClosestSeed& of(ObstacleId solid) {
+        std::size_t oldest = 0;
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            if (pairs_[i].solid == solid) {
+                pairs_[i].last_use = ++uses_;
+                return pairs_[i].seed;
+            }
+            oldest = pairs_[i].last_use < pairs_[oldest].last_use ? i : oldest;
+        }
+        pairs_[oldest] = {solid, ++uses_, {}};
+        return pairs_[oldest].seed;
+    }
+
+private:
+    struct Pair {
+        ObstacleId solid;
+        std::uint64_t last_use = 0;
+        ClosestSeed seed;
+    };
+    std::array<Pair, 4> pairs_{};
+    std::uint64_t uses_ = 0;
+};
 
 struct BodySlot {
     std::uint32_t generation = 0;
@@ -16,6 +46,7 @@ struct BodySlot {
     ShapePtr shape;
     Style style;
     Phase phase;
+    PairSeeds seeds;
     std::uint64_t user_data = 0;
 };
 

@@ -126,4 +126,43 @@ std::uint32_t climb(std::span<const Vec3> vertices, const Topology& topology, co
     return best;
 }
 
+ClimbStarts::ClimbStarts(std::span<const Vec3> vertices, const Topology& topology) {
+    // About four vertices a cell: from its middle's vertex the climb takes a step or two.
+    while (24 * cells_ * cells_ < vertices.size()) {
+        ++cells_;
+    }
+    const double side = 2.0 / static_cast<double>(cells_);
+    starts_.reserve(6 * cells_ * cells_);
+    std::uint32_t start = 0;
+    for (int face = 0; face < 6; ++face) {
+        const int axis = face / 2;
+        for (std::size_t i = 0; i < cells_; ++i) {
+            for (std::size_t j = 0; j < cells_; ++j) {
+                Vec3 direction(0.0);
+                direction[axis] = face % 2 == 0 ? 1.0 : -1.0;
+                direction[(axis + 1) % 3] = (static_cast<double>(i) + 0.5) * side - 1.0;
+                direction[(axis + 2) % 3] = (static_cast<double>(j) + 0.5) * side - 1.0;
+                start = climb(vertices, topology, direction, start);
+                starts_.push_back(start);
+            }
+        }
+    }
+}
+
+std::size_t ClimbStarts::cellOf(const Vec3& direction) const {
+    const Vec3 size = glm::abs(direction);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const double largest = size[axis];
+    if (!(largest > 0.0)) {
+        return 0;
+    }
+    const auto n = static_cast<double>(cells_);
+    const double scale = 0.5 * n / largest;
+    const auto cell = [&](double along) {
+        return static_cast<std::size_t>(std::clamp(along * scale + 0.5 * n, 0.0, n - 1.0));
+    };
+    const std::size_t face = 2 * static_cast<std::size_t>(axis) + (direction[axis] > 0.0 ? 0 : 1);
+    return (face * cells_ + cell(direction[(axis + 1) % 3])) * cells_ + cell(direction[(axis + 2) % 3]);
+}
+
 } // namespace elastoon

@@ -55,4 +55,22 @@ struct Topology {
 [[nodiscard]] std::uint32_t climb(std::span<const Vec3> vertices, const Topology& topology, const Vec3& direction,
                                   std::uint32_t start);
 
+/// Where to start a climb without memory: a vertex that is furthest in about that direction, by the cell of a cube that
+/// the direction points to.
+class ClimbStarts {
+public:
+    ClimbStarts() = default;
+    /// The topology must be closed.
+    ClimbStarts(std::span<const Vec3> vertices, const Topology& topology);
+
+    [[nodiscard]] bool empty() const { return starts_.empty(); }
+    [[nodiscard]] std::uint32_t near(const Vec3& direction) const { return starts_[cellOf(direction)]; }
+
+private:
+    [[nodiscard]] std::size_t cellOf(const Vec3& direction) const;
+
+    std::size_t cells_ = 1; ///< along a side of the cube
+    std::vector<std::uint32_t> starts_;
+};
+
 } // namespace elastoon

@@ -232,12 +232,11 @@ bool ballsMiss(const Flight& flight, const Shape& shape, const Shape& solid, con
 } // namespace
 
 std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, const ShapePtr& solid,
-                                     const MovingFrame& frame, double from, double to) {
+                                     const MovingFrame& frame, double from, double to, ClosestSeed& seed) {
     if (ballsMiss(std::get<Flight>(flight.motion), shape, *solid, frame, from, to, flight.start)) {
         return std::nullopt;
     }
     // A plane between the two keeps them apart until the body touches it; then a better plane is sought.
-    ClosestSeed seed;
     Surface plane;
     double t = from;
     for (int i = 0; i < kMostAdvances; ++i) {

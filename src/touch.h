@@ -2,6 +2,7 @@
 // root.
 #pragma once
 
+#include "closest.h"
 #include "elastoon/phase.h"
 
 #include <optional>
@@ -25,9 +26,9 @@ struct Touch {
 };
 
 /// First time in [from, to] at which the flight's body touches the solid, which is carried by `frame`. A body that
-/// overlaps it at `from` touches it there.
+/// overlaps it at `from` touches it there. The seed is that of the last search of this pair.
 [[nodiscard]] std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, const ShapePtr& solid,
-                                                   const MovingFrame& frame, double from, double to);
+                                                   const MovingFrame& frame, double from, double to, ClosestSeed& seed);
 
 /// A plane (without its solid) between the surface's solid and a body that touches it at time t: it does not cut the
 /// body. Of a surface without a solid, that plane. Its point lies under the contact.

@@ -417,11 +417,15 @@ bool prove(const Vclip& walk, Closest& closest) {
     return std::fabs(closest.distance - gap) <= kProven * scale;
 }
 
+std::uint32_t supportOf(const Body& body, const Vec3& direction) {
+    return static_cast<std::uint32_t>(body.posed.shape->supportVertex(direction * body.posed.linear));
+}
+
 void startCold(const Vclip& walk, Feature& a, Feature& b) {
     const Body& p = walk.a();
     const Body& q = walk.b();
-    a = {Kind::Vertex, climb(p.vertices, p.topology, -(p.offset * p.posed.linear), 0)};
-    b = {Kind::Vertex, climb(q.vertices, q.topology, p.at(a.index) * q.posed.linear, 0)};
+    a = {Kind::Vertex, supportOf(p, -p.offset)};
+    b = {Kind::Vertex, supportOf(q, p.at(a.index))};
 }
 
 /// Two faces are the one pair that the walk has no rule for.

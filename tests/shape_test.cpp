@@ -98,7 +98,7 @@ TEST(Shape, SupportIsTheFurthestVertex) {
         const Vec3 d = random.direction();
         const double reach = glm::dot(d, shape->vertices()[shape->supportVertex(d)]);
         for (const Vec3& vertex : shape->vertices()) {
-            EXPECT_LE(glm::dot(d, vertex), reach);
+            EXPECT_LE(glm::dot(d, vertex), reach + 1e-15);
         }
     }
 }

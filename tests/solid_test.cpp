@@ -92,7 +92,8 @@ TEST(Solid, FirstTouchIsTheFirstAndLeavesAHairOfAir) {
         Phase phase;
         phase.motion =
             beginFlight({start, random.rotation(), 1.0}, -start + random.inBox(2.0), {0, -2, 0}, Style{}, Lead::PlusX);
-        const auto touch = firstSolidTouch(phase, *body, solid, frame, 0.0, 2.0);
+        ClosestSeed seed;
+        const auto touch = firstSolidTouch(phase, *body, solid, frame, 0.0, 2.0, seed);
         touches += touch ? 1 : 0;
         const double until = touch ? touch->time : 2.0;
         const auto gapAt = [&](double t) {

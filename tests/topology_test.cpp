@@ -72,7 +72,12 @@ TEST(Topology, ClimbReachesTheFurthestVertexFromEveryStart) {
     for (const ShapePtr& shape : solids().all) {
         for (int i = 0; i < 50; ++i) {
             const Vec3 direction = i < 6 ? Vec3(latticeRotation(4 * i)[0]) : random.direction();
-            const double furthest = glm::dot(direction, shape->vertices()[shape->supportVertex(direction)]);
+            double furthest = glm::dot(direction, shape->vertices()[0]);
+            for (const Vec3& vertex : shape->vertices()) {
+                furthest = std::max(furthest, glm::dot(direction, vertex));
+            }
+            const double support = glm::dot(direction, shape->vertices()[shape->supportVertex(direction)]);
+            EXPECT_NEAR(support, furthest, 1e-15);
             for (std::uint32_t start = 0; start < shape->vertices().size(); ++start) {
                 const std::uint32_t found = climb(shape->vertices(), shape->topology(), direction, start);
                 EXPECT_NEAR(glm::dot(direction, shape->vertices()[found]), furthest, 1e-15);

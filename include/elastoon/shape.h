@@ -15,6 +15,7 @@ namespace elastoon {
 
 class Shape;
 struct Topology;
+class ClimbStarts;
 /// Shapes are immutable and shared between worlds and bodies.
 using ShapePtr = std::shared_ptr<const Shape>;
 
@@ -68,7 +69,7 @@ public:
     /// Radius and length that the shape was made with (sphere: radius; cylinder, cone, capsule: both), else 0.
     [[nodiscard]] double radius() const { return radius_; }
 
-    /// The vertex furthest in `direction` (shape frame, any length): the first such one.
+    /// The vertex furthest in `direction` (shape frame, any length), to rounding.
     [[nodiscard]] std::size_t supportVertex(const Vec3& direction) const;
 
     /// Edges, and what meets what: for the library's own collision.
@@ -83,6 +84,7 @@ private:
     std::vector<std::uint32_t> face_vertices_;
     std::vector<std::uint32_t> face_begin_;
     std::shared_ptr<const Topology> topology_;
+    std::shared_ptr<const ClimbStarts> climb_starts_;
     Vec3 extents_{0.0};
     Vec3 centroid_of_input_{0.0};
     double length_ = 0.0, bounding_radius_ = 0.0, reach_along_ = 0.0, reach_across_ = 0.0;
