@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing, and says so; silent and quick when none is. Usage: install.sh run|test
+# Installs the Debian packages that are missing, and says so; silent and quick when none is.
+# Usage: install.sh run|test|bench
 set -euo pipefail
 
 packages=(g++ cmake ninja-build ccache pkg-config libglm-dev nlohmann-json3-dev libcli11-dev libfmt-dev libembree-dev
@@ -9,6 +10,8 @@ if [ "${1:-run}" = test ]; then
   command -v node > /dev/null || packages+=(nodejs)
   command -v npm > /dev/null || packages+=(npm)
 fi
+# What the benchmark compares with.
+[ "${1:-run}" != run ] && packages+=(libfcl-dev libbullet-dev libccd-dev)
 
 missing=()
 for package in "${packages[@]}"; do
