@@ -2,7 +2,9 @@
 #include "harness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
+#include <limits>
 
 namespace elastoon {
 
@@ -60,6 +62,10 @@ double medianRatio(std::span<const double> a, std::span<const double> b) {
         ratios[i] /= b[i];
     }
     return median(std::move(ratios));
+}
+
+double worst(double so_far, double error) {
+    return std::isnan(error) ? std::numeric_limits<double>::infinity() : std::max(so_far, error);
 }
 
 } // namespace elastoon

@@ -32,6 +32,9 @@ struct Effort {
 /// Median of a[r] / b[r].
 [[nodiscard]] double medianRatio(std::span<const double> a, std::span<const double> b);
 
+/// The larger; infinite where the error is no number.
+[[nodiscard]] double worst(double so_far, double error);
+
 /// What the program was asked to do, for every table.
 struct Choice {
     Effort effort;

@@ -57,7 +57,7 @@ std::vector<Outcome> measure(const DistanceScene& scene, const DistanceContender
             if (std::isnan(distances[i][k])) {
                 ++outcome.unanswered;
             } else {
-                outcome.error = std::max(outcome.error, std::fabs(distances[i][k] - exact[k]));
+                outcome.error = worst(outcome.error, std::fabs(distances[i][k] - exact[k]));
             }
         }
     }

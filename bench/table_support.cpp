@@ -3,7 +3,6 @@
 #include "poses.h"
 #include "tables.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace elastoon {
@@ -49,7 +48,7 @@ void runCell(const BenchBody& body, bool coherent, const Choice& choice, Report&
     const auto samples = interleave(jobs, choice.effort);
     double error = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        error = std::max(error, std::fabs(ours[i] - brute[i]));
+        error = worst(error, std::fabs(ours[i] - brute[i]));
     }
     report.add({scene.cell, median(samples[0]), median(samples[1]), medianRatio(samples[1], samples[0]), error});
     report.errorAtMost(scene.cell + ": error", error, 1e-12);

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -53,10 +52,10 @@ TouchErrors errorsOf(const CastScene& scene, const std::vector<double>& times) {
         if (std::isinf(times[i]) != std::isinf(exact)) {
             errors.wrong += 1.0;
         } else if (!std::isinf(exact)) {
-            errors.time = std::max(errors.time, std::fabs(times[i] - exact) / kCastStep);
+            errors.time = worst(errors.time, std::fabs(times[i] - exact) / kCastStep);
             const double height = heightAt(scene, scene.casts[i], times[i]);
-            errors.gap = std::max(errors.gap, std::fabs(height));
-            errors.depth = std::max(errors.depth, -height);
+            errors.gap = worst(errors.gap, std::fabs(height));
+            errors.depth = worst(errors.depth, -height);
         }
     }
     return errors;
