@@ -4,7 +4,9 @@
 #include "contact_region.h"
 #include "gjk.h"
 #include "rotation.h"
+#include "support.h"
 
+#include <cmath>
 #include <vector>
 
 namespace elastoon {
@@ -50,9 +52,12 @@ private:
 
 } // namespace
 
+// The search takes a multiple of the direction, so that it need not wait for the division.
 double reachTowards(const Shape& shape, const Pose& pose, const Vec3& direction) {
-    const Vec3 in_shape = scaleOf(pose.stretch) * (glm::conjugate(pose.orientation) * direction);
-    return glm::dot(in_shape, shape.vertices()[shape.supportVertex(in_shape)]);
+    const Vec3 turned = glm::conjugate(pose.orientation) * direction;
+    const double root = std::sqrt(pose.stretch);
+    const Vec3 vertex = shape.vertices()[supportOf(shape, {pose.stretch * root * turned.x, turned.y, turned.z})];
+    return pose.stretch * turned.x * vertex.x + (turned.y * vertex.y + turned.z * vertex.z) / root;
 }
 
 double gapTo(const Surface& surface, const Shape& shape, const Pose& pose, double t) {

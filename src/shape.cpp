@@ -3,6 +3,7 @@
 
 #include "dmath.h"
 #include "hull.h"
+#include "support.h"
 #include "topology.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace elastoon {
 namespace {
 
 /// Up to this many, looking at all is as quick as climbing.
-constexpr std::size_t kFewVertices = 12;
+constexpr std::size_t kFewVertices = 16;
 
 std::string numberText(double value) {
     std::string text = std::to_string(value);
@@ -208,19 +209,7 @@ std::span<const std::uint32_t> Shape::face(std::size_t index) const {
 }
 
 std::size_t Shape::supportVertex(const Vec3& direction) const {
-    if (!climb_starts_->empty()) {
-        return climb(vertices_, *topology_, direction, climb_starts_->near(direction));
-    }
-    std::size_t best = 0;
-    double furthest = glm::dot(direction, vertices_[0]);
-    for (std::size_t i = 1; i < vertices_.size(); ++i) {
-        const double reach = glm::dot(direction, vertices_[i]);
-        if (reach > furthest) {
-            furthest = reach;
-            best = i;
-        }
-    }
-    return best;
+    return supportOf(*this, direction);
 }
 
 } // namespace elastoon

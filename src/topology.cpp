@@ -91,6 +91,11 @@ Topology topologyOf(std::span<const Vec3> vertices, std::span<const std::uint32_
         i = end;
     }
     linkVertices(topology, vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        for (const std::uint32_t neighbor : topology.neighborsOf(static_cast<std::uint32_t>(v))) {
+            topology.ways.push_back(vertices[neighbor] - vertices[v]);
+        }
+    }
     for (std::size_t face = 0; face + 1 < face_begin.size(); ++face) {
         topology.face_normals.push_back(
             normalOf(vertices, face_vertices.subspan(face_begin[face], face_begin[face + 1] - face_begin[face])));
@@ -99,36 +104,9 @@ Topology topologyOf(std::span<const Vec3> vertices, std::span<const std::uint32_
     return topology;
 }
 
-std::uint32_t climb(std::span<const Vec3> vertices, const Topology& topology, const Vec3& direction,
-                    std::uint32_t start) {
-    std::uint32_t best = start;
-    if (!topology.closed) {
-        for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-            best = glm::dot(direction, vertices[i] - vertices[best]) > 0.0 ? i : best;
-        }
-        return best;
-    }
-    // Differences, not heights: a short edge keeps its slope. Rounding could make the climb go round; it is bounded.
-    for (std::size_t steps = vertices.size(); steps > 0; --steps) {
-        const Vec3 here = vertices[best];
-        double rise = 0.0;
-        for (const std::uint32_t neighbor : topology.neighborsOf(best)) {
-            const double up = glm::dot(direction, vertices[neighbor] - here);
-            if (up > rise) {
-                rise = up;
-                best = neighbor;
-            }
-        }
-        if (rise <= 0.0) {
-            break;
-        }
-    }
-    return best;
-}
-
 ClimbStarts::ClimbStarts(std::span<const Vec3> vertices, const Topology& topology) {
-    // About four vertices a cell: from its middle's vertex the climb takes a step or two.
-    while (24 * cells_ * cells_ < vertices.size()) {
+    // Four cells a vertex: from the vertex of its middle the climb seldom takes a step.
+    while (6 * cells_ * cells_ < 4 * vertices.size()) {
         ++cells_;
     }
     const double side = 2.0 / static_cast<double>(cells_);
@@ -147,22 +125,6 @@ ClimbStarts::ClimbStarts(std::span<const Vec3> vertices, const Topology& topolog
             }
         }
     }
-}
-
-std::size_t ClimbStarts::cellOf(const Vec3& direction) const {
-    const Vec3 size = glm::abs(direction);
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const double largest = size[axis];
-    if (!(largest > 0.0)) {
-        return 0;
-    }
-    const auto n = static_cast<double>(cells_);
-    const double scale = 0.5 * n / largest;
-    const auto cell = [&](double along) {
-        return static_cast<std::size_t>(std::clamp(along * scale + 0.5 * n, 0.0, n - 1.0));
-    };
-    const std::size_t face = 2 * static_cast<std::size_t>(axis) + (direction[axis] > 0.0 ? 0 : 1);
-    return (face * cells_ + cell(direction[(axis + 1) % 3])) * cells_ + cell(direction[(axis + 2) % 3]);
 }
 
 } // namespace elastoon

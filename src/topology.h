@@ -3,6 +3,8 @@
 
 #include "elastoon/math.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,6 +26,7 @@ struct Topology {
     std::vector<std::uint32_t> vertex_begin;
     std::vector<std::uint32_t> vertex_edges;
     std::vector<std::uint32_t> neighbors;
+    std::vector<Vec3> ways; ///< in the same order, the way to the other end
 
     /// Face f has the edges face_edges[face_begin[f] .. face_begin[f + 1]]; edge i joins vertices i and i + 1 of its
     /// loop.
@@ -72,5 +75,64 @@ private:
     std::size_t cells_ = 1; ///< along a side of the cube
     std::vector<std::uint32_t> starts_;
 };
+
+inline std::uint32_t climb(std::span<const Vec3> vertices, const Topology& topology, const Vec3& direction,
+                           std::uint32_t start) {
+    std::uint32_t best = start;
+    if (!topology.closed) {
+        for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+            best = glm::dot(direction, vertices[i] - vertices[best]) > 0.0 ? i : best;
+        }
+        return best;
+    }
+    // Differences, not heights: a short edge keeps its slope. Rounding could make the climb go round; it is bounded.
+    for (std::size_t steps = vertices.size(); steps > 0; --steps) {
+        const std::uint32_t end = topology.vertex_begin[best + 1];
+        std::uint32_t steepest = end;
+        double rise = 0.0;
+        for (std::uint32_t i = topology.vertex_begin[best]; i < end; ++i) {
+            const double up = glm::dot(direction, topology.ways[i]);
+            if (up > rise) {
+                rise = up;
+                steepest = i;
+            }
+        }
+        if (steepest == end) {
+            break;
+        }
+        best = topology.neighbors[steepest];
+    }
+    return best;
+}
+
+inline std::size_t ClimbStarts::cellOf(const Vec3& direction) const {
+    const double x = std::fabs(direction.x);
+    const double y = std::fabs(direction.y);
+    const double z = std::fabs(direction.z);
+    double largest = x;
+    double first = direction.y;
+    double second = direction.z;
+    std::size_t face = direction.x > 0.0 ? 0 : 1;
+    if (y > x && y >= z) {
+        largest = y;
+        first = direction.z;
+        second = direction.x;
+        face = direction.y > 0.0 ? 2 : 3;
+    } else if (z > x) {
+        largest = z;
+        first = direction.x;
+        second = direction.y;
+        face = direction.z > 0.0 ? 4 : 5;
+    }
+    if (!(largest > 0.0)) {
+        return 0;
+    }
+    const auto n = static_cast<double>(cells_);
+    const double scale = 0.5 * n / largest;
+    const auto cell = [&](double along) {
+        return static_cast<std::size_t>(std::clamp(along * scale + 0.5 * n, 0.0, n - 1.0));
+    };
+    return (face * cells_ + cell(first)) * cells_ + cell(second);
+}
 
 } // namespace elastoon

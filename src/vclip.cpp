@@ -425,7 +425,22 @@ void startCold(const Vclip& walk, Feature& a, Feature& b) {
     const Body& p = walk.a();
     const Body& q = walk.b();
     a = {Kind::Vertex, supportOf(p, -p.offset)};
-    b = {Kind::Vertex, supportOf(q, p.at(a.index))};
+    const std::uint32_t corner = supportOf(q, p.at(a.index));
+    b = {Kind::Vertex, corner};
+    // A corner of a large face would draw the walk sideways, vertex by vertex: the face under the other body is nearer.
+    double highest = 0.0;
+    for (const std::uint32_t edge : q.topology.edgesOfVertex(corner)) {
+        const std::uint32_t face = q.ends(edge).tail == corner ? q.ends(edge).left : q.ends(edge).right;
+        const Vec3 normal = q.normal(face);
+        const double height = q.height(face, normal, p.at(a.index)) / glm::length(normal);
+        if (height > highest) {
+            highest = height;
+            b = {Kind::Face, face};
+        }
+    }
+    if (b.kind == Kind::Face) {
+        a.index = supportOf(p, -q.normal(b.index));
+    }
 }
 
 /// Two faces are the one pair that the walk has no rule for.

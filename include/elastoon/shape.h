@@ -74,6 +74,8 @@ public:
 
     /// Edges, and what meets what: for the library's own collision.
     [[nodiscard]] const Topology& topology() const { return *topology_; }
+    /// Where searches over the surface start: likewise.
+    [[nodiscard]] const ClimbStarts& climbStarts() const { return *climb_starts_; }
 
 private:
     Shape() = default;
