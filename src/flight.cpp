@@ -2,7 +2,7 @@
 // step: docs/model.md, "The top of a steep throw".
 #include "flight.h"
 
-#include "contact.h"
+#include "dmath.h"
 #include "rotation.h"
 
 #include <algorithm>
@@ -95,6 +95,19 @@ Flight beginFlight(const Pose& pose, const Vec3& velocity, const Vec3& gravity, 
     return flight;
 }
 
+void easeFrom(Flight& flight, const Pose& pose, double span) {
+    const Pose own = unpushedPose(flight, 0.0);
+    const Quat turn = unitOf(pose.orientation) * glm::conjugate(own.orientation);
+    const double sine = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+    flight.ease.span = span;
+    flight.ease.stretch = pose.stretch - own.stretch;
+    if (sine > 0.0) {
+        const double sign = turn.w < 0.0 ? -1.0 : 1.0;
+        flight.ease.axis = Vec3(turn.x, turn.y, turn.z) * (sign / sine);
+        flight.ease.angle = 2.0 * detAtan2(sine, std::fabs(turn.w));
+    }
+}
+
 Vec3 flightVelocity(const Flight& flight, double elapsed) {
     return flight.velocity + flight.gravity * elapsed;
 }
@@ -116,29 +129,35 @@ Pose unpushedPose(const Flight& flight, double elapsed) {
         const Quat turn = turnInPlane(flight, headingAt(flight, 0.0), headingAt(flight, elapsed));
         pose.orientation = turn * flight.orientation;
     }
-    return pose;
-}
-
-Pose flightPose(const Flight& flight, const Shape& shape, double start, double elapsed) {
-    Pose pose = unpushedPose(flight, elapsed);
-    const double t = start + elapsed;
-    if (t <= flight.leaving_until) {
-        const double gap = gapTo(flight.leaving, shape, pose, t);
-        if (gap < 0.0) {
-            pose.position -= flight.leaving.normalAt(t) * gap;
-        }
+    if (elapsed < flight.ease.span) {
+        const double done = elapsed / flight.ease.span;
+        const double left = 1.0 - done * done * (3.0 - 2.0 * done);
+        pose.stretch += flight.ease.stretch * left;
+        pose.orientation = rotationAbout(flight.ease.axis, flight.ease.angle * left) * pose.orientation;
     }
     return pose;
 }
 
-double leavingUntil(const Surface& surface, double t, const Vec3& velocity, const Vec3& gravity, double least_speed) {
+double leavingUntil(const Surface& surface, double t, const Flight& flight, const Shape& shape, double least_speed) {
     const Vec3 normal = surface.normalAt(t);
-    const double parting = glm::dot(velocity - surface.frame.velocityAt(t, surface.pointAt(t)), normal);
-    const double pull = glm::dot(gravity, normal);
+    const double parting = glm::dot(flight.velocity - surface.frame.velocityAt(t, surface.pointAt(t)), normal);
+    const double pull = glm::dot(flight.gravity, normal);
     if (parting <= least_speed && (pull < 0.0 || parting < 0.0)) {
         return -std::numeric_limits<double>::infinity();
     }
-    return pull < 0.0 ? t + (parting - least_speed) / -pull : std::numeric_limits<double>::infinity();
+    const double parts_for = pull < 0.0 ? (parting - least_speed) / -pull : std::numeric_limits<double>::infinity();
+    if (surface.frame.angular_velocity != Vec3(0.0) || !(parting > 0.0)) {
+        return t + parts_for;
+    }
+    const double height = glm::dot(flight.position - surface.pointAt(t), normal);
+    for (double span = shape.length() / parting; span < parts_for; span *= 2.0) {
+        const double way = 1.01 * flightBounds(flight, shape, 0.0, span).reach - height;
+        const double discriminant = parting * parting + 2.0 * pull * way;
+        if (way <= 0.0 || (discriminant > 0.0 && 2.0 * way <= span * (parting + std::sqrt(discriminant)))) {
+            return t + std::min(parts_for, span);
+        }
+    }
+    return t + parts_for;
 }
 
 FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from, double to) {
@@ -152,20 +171,27 @@ FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from,
 
     FlightBounds bounds;
     bounds.speed = std::sqrt(most_climb * most_climb + across * across);
-    const double along = stretchAt(flight, bounds.speed) * shape.reachAlong();
-    bounds.reach = std::sqrt(along * along + shape.reachAcross() * shape.reachAcross());
+    const bool eases = from < flight.ease.span;
+    const double longest = stretchAt(flight, bounds.speed) + (eases ? std::max(0.0, flight.ease.stretch) : 0.0);
+    const double flattest = 1.0 + (eases ? std::min(0.0, flight.ease.stretch) : 0.0);
+    const double along = longest * shape.reachAlong();
+    const double across_reach = shape.reachAcross() / std::sqrt(flattest);
+    bounds.reach = std::sqrt(along * along + across_reach * across_reach);
 
     const double k = flight.stretch_rate;
     const double damped = k * least_speed + 1.0;
-    const double stretch_rate = pull * k * (flight.max_stretch - 1.0) / (damped * damped);
-    const double across_part = 0.5 * shape.reachAcross();
+    // The easing's slope is at most 1.5.
+    const double easing = eases ? 1.5 / flight.ease.span : 0.0;
+    const double stretch_rate =
+        pull * k * (flight.max_stretch - 1.0) / (damped * damped) + easing * std::fabs(flight.ease.stretch);
+    const double across_part = 0.5 * across_reach / flattest;
     const double lengthening =
         stretch_rate * std::sqrt(shape.reachAlong() * shape.reachAlong() + across_part * across_part);
 
-    double turning = 0.0;
+    double turning = easing * flight.ease.angle;
     if (across > 0.0 && pull > 0.0 && flight.rule != AxisRule::Fixed) {
         const double floor = flight.rule == AxisRule::Reversal ? flight.reversal_speed : across;
-        turning = pull * across / (least_climb * least_climb + floor * floor);
+        turning += pull * across / (least_climb * least_climb + floor * floor);
     }
     bounds.shape_rate = turning * bounds.reach + lengthening;
     return bounds;

@@ -16,17 +16,19 @@ enum class Lead : std::uint8_t {
 [[nodiscard]] Flight beginFlight(const Pose& pose, const Vec3& velocity, const Vec3& gravity, const Style& style,
                                  Lead lead);
 
+/// Lets the flight begin in this pose (as to turn and stretch) and come to its own within `span` s.
+void easeFrom(Flight& flight, const Pose& pose, double span);
+
 [[nodiscard]] Vec3 flightVelocity(const Flight& flight, double elapsed);
 /// Direction in which the leading end points (world, unit); with AxisRule::Fixed, the +x end.
 [[nodiscard]] Vec3 leadingAxis(const Flight& flight, double elapsed);
-/// Pose without the push off the surface that is being left.
+/// Pose `elapsed` s after the flight began, not yet moved clear of what it leaves.
 [[nodiscard]] Pose unpushedPose(const Flight& flight, double elapsed);
-/// Pose at `elapsed` s after the flight began at time `start`.
-[[nodiscard]] Pose flightPose(const Flight& flight, const Shape& shape, double start, double elapsed);
 
-/// Until when a body that leaves the surface with this velocity at time t is to be pushed clear of it: as long as it
-/// parts faster than `least_speed` along the normal. -infinity when it does not.
-[[nodiscard]] double leavingUntil(const Surface& surface, double t, const Vec3& velocity, const Vec3& gravity,
+/// Until when a body whose flight begins at time t is to be kept clear of the surface that it leaves: as long as it
+/// parts from it faster than `least_speed` along the normal and its bounding ball still reaches the plane. -infinity
+/// when it does not part.
+[[nodiscard]] double leavingUntil(const Surface& surface, double t, const Flight& flight, const Shape& shape,
                                   double least_speed);
 
 /// Bounds that hold at every time within [from, to] (s after the flight's begin).

@@ -7,6 +7,8 @@
 #include "rotation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace elastoon {
 
@@ -84,6 +86,32 @@ bool canHold(const Surface& surface, double t, const Vec3& gravity, const Style&
     return pull > 0.0 && glm::dot(surface.normalAt(t), gravity) <= -pull * detSinCos(style.rest_slope).cos;
 }
 
+double holdsUntil(const Surface& surface, double t, const Vec3& gravity, const Style& style) {
+    constexpr double kForGood = std::numeric_limits<double>::infinity();
+    if (!canHold(surface, t, gravity, style)) {
+        return -kForGood;
+    }
+    const double rate = glm::length(surface.frame.angular_velocity);
+    if (rate == 0.0) {
+        return kForGood;
+    }
+    // n . u = fixed + level cos(angle) + across sin(angle): it holds as far as that is the cosine of the steepest
+    // slope.
+    const Vec3 axis = surface.frame.angular_velocity / rate;
+    const Vec3 up = -gravity / glm::length(gravity);
+    const Vec3 normal = surface.normalAt(t);
+    const double fixed = glm::dot(normal, axis) * glm::dot(axis, up);
+    const double level = glm::dot(normal, up) - fixed;
+    const double across = glm::dot(glm::cross(axis, normal), up);
+    const double swing = std::sqrt(level * level + across * across);
+    const double left = detSinCos(style.rest_slope).cos - fixed;
+    if (left <= -swing) {
+        return kForGood;
+    }
+    const double angle = detAtan2(across, level) + detAcos(left / swing);
+    return t + std::max(0.0, angle) / rate;
+}
+
 std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, const Style& style) {
     const double t = touching.time;
     const MovingFrame& frame = touching.surface.frame;
@@ -122,11 +150,11 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
     return impact;
 }
 
-Pose impactPose(const Impact& impact, const Shape& shape, double t) {
+Pose impactPose(const Impact& impact, const Shape& shape, double t, double factor) {
     const double elapsed = t - impact.begun;
     const double share = turnShare(impact.curve, impact.easing, elapsed);
     Pose in_frame;
-    in_frame.stretch = impact.curve.at(elapsed);
+    in_frame.stretch = factor * impact.curve.at(elapsed);
     in_frame.orientation = rotationAbout(impact.turn_axis, impact.turn_angle * share) * impact.orientation;
 
     // The contact's material point stays under the contact; then the body is moved along the normal until it touches.

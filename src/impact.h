@@ -20,11 +20,16 @@ struct Touching {
 /// Whether the surface can hold a body of this style at rest at time t: it is level enough. Never without gravity.
 [[nodiscard]] bool canHold(const Surface& surface, double t, const Vec3& gravity, const Style& style);
 
+/// Until when, from time t on, the surface holds a body of this style: a turning one tips it off. Infinite: for good.
+/// -infinity where it does not hold it at t.
+[[nodiscard]] double holdsUntil(const Surface& surface, double t, const Vec3& gravity, const Style& style);
+
 /// The impact that the touch begins, or none where the body is parting from the surface and not slow: then it flies on,
 /// pushed clear.
 [[nodiscard]] std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, const Style& style);
 
-[[nodiscard]] Pose impactPose(const Impact& impact, const Shape& shape, double t);
+/// Pose with the curve's stretch times `factor`.
+[[nodiscard]] Pose impactPose(const Impact& impact, const Shape& shape, double t, double factor = 1.0);
 [[nodiscard]] Vec3 impactVelocity(const Impact& impact, const Shape& shape, double t, double end);
 /// Velocity (world) of the flight that follows, at the impact's end.
 [[nodiscard]] Vec3 velocityAfter(const Impact& impact, double end);

@@ -79,6 +79,21 @@ ImpactCurve impactCurve(const Style& style, const ImpactInput& input) {
     return curve;
 }
 
+double settlingTime(const Style& style, double length) {
+    constexpr double kLeast = 0.02;
+    constexpr double kMost = 1.0;
+    const double limit = length * style.stretch_rate * (style.max_stretch - style.min_squash) / style.squash_rate;
+    return std::clamp(0.5 * kPi * limit, kLeast, kMost);
+}
+
+ImpactCurve recoveryCurve(const Style& style, double length, double stretch) {
+    ImpactCurve curve;
+    curve.s_in = curve.s_mid = stretch;
+    curve.t_out = settlingTime(style, length);
+    curve.omega_out = 0.5 * kPi / curve.t_out;
+    return curve;
+}
+
 double ImpactCurve::at(double t) const {
     if (t <= 0.0 && duration() > 0.0) {
         return s_in;

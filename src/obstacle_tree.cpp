@@ -5,6 +5,8 @@
 
 #include "elastoon/assert.h"
 #include "flight.h"
+#include "push.h"
+#include "watch.h"
 
 #include <algorithm>
 #include <array>
@@ -437,10 +439,10 @@ Box parabolaBox(const Flight& flight, double from, double to) {
     return box;
 }
 
-/// The most that the body is pushed off the surface it leaves, within [from, to] since the flight's start at `start`:
+/// The most that the body is pushed off a surface it leaves, within [from, to] since the flight's start at `start`:
 /// its reach, and the way that its centroid may be behind the plane.
-double mostPush(const Flight& flight, double start, double from, double to, const FlightBounds& bounds) {
-    const Surface& surface = flight.leaving;
+double mostPush(const Flight& flight, const Surface& surface, double start, double from, double to,
+                const FlightBounds& bounds) {
     const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * from)) * from;
     const Vec3 normal = surface.normalAt(start + from);
     const double height = glm::dot(position - surface.pointAt(start + from), normal);
@@ -503,22 +505,47 @@ Box sweptBox(const Shape& shape, const MovingFrame& frame, double from, double t
     return frame.moves() ? grown(box, slack + kRounding * largestIn(box)) : box;
 }
 
+namespace {
+
+/// Box of a body that is held by a surface.
+Box heldBox(const Phase& phase, const Shape& shape, double from, double to) {
+    const HeldBounds bounds = heldBounds(phase, shape, from, to);
+    const Vec3 center = poseAt(phase, shape, from).position;
+    return grown({center, center}, bounds.reach + bounds.speed * (to - from));
+}
+
+/// Box of the ways that a body in flight may be pushed off what it leaves.
+Box pushedBox(const Phase& phase, const Box& box, double first, double last, const FlightBounds& bounds) {
+    const auto& flight = std::get<Flight>(phase.motion);
+    Box pushed = box;
+    double sum = 0.0;
+    for (const KeptClear& kept : phase.clear_of) {
+        if (kept.until < phase.start + first) {
+            continue;
+        }
+        const double until = std::max(first, std::min(last, kept.until - phase.start));
+        const double push = mostPush(flight, kept.surface, phase.start, first, until, bounds);
+        sum += push;
+        const Vec3 way = kept.surface.normalAt(phase.start) * push;
+        pushed = unionOf(pushed, {box.low + way, box.high + way});
+    }
+    const bool along_one =
+        phase.clear_of.size() == 1 && phase.clear_of.front().surface.frame.angular_velocity == Vec3(0.0);
+    return along_one || sum == 0.0 ? pushed : grown(box, 3.0 * pushGain(phase, phase.start + first) * sum);
+}
+
+} // namespace
+
 Box sweptBox(const Phase& phase, const Shape& shape, double from, double to) {
+    if (!std::holds_alternative<Flight>(phase.motion)) {
+        return heldBox(phase, shape, std::max(from, phase.start), std::max(to, phase.start));
+    }
     const auto& flight = std::get<Flight>(phase.motion);
     const double first = std::max(0.0, from - phase.start);
     const double last = std::max(first, to - phase.start);
     const FlightBounds bounds = flightBounds(flight, shape, first, last);
     Box box = grown(parabolaBox(flight, first, last), bounds.reach);
-    if (from <= flight.leaving_until) {
-        const double until = std::max(first, std::min(last, flight.leaving_until - phase.start));
-        const double push = mostPush(flight, phase.start, first, until, bounds);
-        if (flight.leaving.frame.angular_velocity == Vec3(0.0)) {
-            const Vec3 way = flight.leaving.normalAt(phase.start) * push;
-            box = unionOf(box, {box.low + way, box.high + way});
-        } else {
-            box = grown(box, push);
-        }
-    }
+    box = pushedBox(phase, box, first, last, bounds);
     return grown(box, kRounding * (largestIn(box) + bounds.speed * last));
 }
 

@@ -141,8 +141,9 @@ private:
 [[nodiscard]] Box boxOf(const Shape& shape, const MovingFrame& frame, double t);
 /// Box that holds the obstacle at every time within [from, to].
 [[nodiscard]] Box sweptBox(const Shape& shape, const MovingFrame& frame, double from, double to);
-/// Box that holds a body in flight at every time within [from, to] (not before the flight's start): the parabola's own
-/// box, grown by the greatest reach of the body, and by the way that it may be pushed off a surface that it leaves.
+/// Box that holds a body at every time within [from, to] (not before the phase's start). Of a flight: the parabola's
+/// own box, grown by the greatest reach of the body, and by the way that it may be pushed off the surfaces that it
+/// leaves.
 [[nodiscard]] Box sweptBox(const Phase& flight, const Shape& shape, double from, double to);
 
 } // namespace elastoon

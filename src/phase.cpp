@@ -1,8 +1,10 @@
 // See phase.h: moving frames, and the dispatch from a phase to its pose.
 #include "elastoon/phase.h"
 
+#include "contact.h"
 #include "flight.h"
 #include "impact.h"
+#include "push.h"
 #include "rotation.h"
 
 #include <algorithm>
@@ -40,27 +42,38 @@ std::string_view nameOf(const Phase& phase) {
 
 namespace {
 
-Pose restPose(const Rest& rest, double t) {
+Pose restPose(const Rest& rest, const Shape& shape, double t, double factor) {
     const MovingFrame& frame = rest.surface.frame;
-    if (!frame.moves()) {
-        return {frame.origin + frame.orientation * rest.pose.position, frame.orientation * rest.pose.orientation,
-                rest.pose.stretch};
+    Pose pose = rest.pose;
+    if (factor != 1.0) {
+        // Squashed where it stands.
+        const double reach = reachTowards(shape, pose, -rest.surface.normal);
+        pose.stretch *= factor;
+        pose.position += rest.surface.normal * (reachTowards(shape, pose, -rest.surface.normal) - reach);
     }
-    return {frame.worldFromFrame(t, rest.pose.position), frame.orientationAt(t) * rest.pose.orientation,
-            rest.pose.stretch};
+    if (!frame.moves()) {
+        return {frame.origin + frame.orientation * pose.position, frame.orientation * pose.orientation, pose.stretch};
+    }
+    return {frame.worldFromFrame(t, pose.position), frame.orientationAt(t) * pose.orientation, pose.stretch};
 }
 
 } // namespace
 
-Pose poseAt(const Phase& phase, const Shape& shape, double t) {
+Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor) {
     const double time = std::max(t, phase.start);
     if (const auto* flight = std::get_if<Flight>(&phase.motion)) {
-        return flightPose(*flight, shape, phase.start, time - phase.start);
+        Pose pose = unpushedPose(*flight, time - phase.start);
+        pose.stretch *= factor;
+        return pose;
     }
     if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
-        return impactPose(*impact, shape, time);
+        return impactPose(*impact, shape, time, factor);
     }
-    return restPose(std::get<Rest>(phase.motion), time);
+    return restPose(std::get<Rest>(phase.motion), shape, time, factor);
+}
+
+Pose poseAt(const Phase& phase, const Shape& shape, double t) {
+    return phase.clear_of.empty() ? ownPose(phase, shape, t) : keptClear(phase, shape, std::max(t, phase.start));
 }
 
 Vec3 velocityAt(const Phase& phase, const Shape& shape, double t) {
@@ -72,7 +85,7 @@ Vec3 velocityAt(const Phase& phase, const Shape& shape, double t) {
         return impactVelocity(*impact, shape, time, phase.end);
     }
     const auto& rest = std::get<Rest>(phase.motion);
-    return rest.surface.frame.velocityAt(time, restPose(rest, time).position);
+    return rest.surface.frame.velocityAt(time, restPose(rest, shape, time, 1.0).position);
 }
 
 } // namespace elastoon

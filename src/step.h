@@ -5,9 +5,11 @@
 #include "elastoon/world.h"
 #include "flight.h"
 #include "obstacle_tree.h"
+#include "watch.h"
 
 #include <array>
-#include <optional>
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace elastoon {
@@ -61,6 +63,7 @@ struct ObstacleSlot {
     [[nodiscard]] bool isPlane() const { return shape == nullptr; }
     /// The surface that a plane shows.
     [[nodiscard]] Surface surface() const { return {frame, Vec3(0.0), normal, nullptr}; }
+    [[nodiscard]] Watched watched() const { return {frame, normal, shape}; }
 };
 
 /// What bodies meet and what pulls them: all that the motion of one body reads besides itself.
@@ -68,17 +71,26 @@ struct Surroundings {
     Vec3 gravity{0.0};
     std::vector<ObstacleSlot> obstacles;
     std::vector<std::size_t> planes;        ///< slots, ascending
+    std::vector<std::size_t> moving_planes; ///< slots, ascending
     std::vector<std::size_t> moving_solids; ///< slots, ascending
     ObstacleTree solids;                    ///< boxes that hold now, and in a step through all of it
 
+    [[nodiscard]] bool anyMoves() const { return !moving_planes.empty() || !moving_solids.empty(); }
     /// To be called when an obstacle has come, goes, or moves otherwise; at time t.
     void include(std::size_t slot, double t);
     void exclude(std::size_t slot);
     /// Grows the boxes of moving solids to where they will be within [from, to].
     void prepareStep(double from, double to);
-    /// Slots of the obstacles that a body in flight may touch within [from, to]: all planes, and the solids near its
+    /// Slots of the obstacles that a body may touch within [from, to]: all planes, and the solids near its
     /// way.
-    void near(const Phase& flight, const Shape& shape, double from, double to, std::vector<std::size_t>& found) const;
+    void near(const Phase& phase, const Shape& shape, double from, double to, std::vector<std::size_t>& found) const;
+};
+
+/// A touch, and whose surface it is.
+struct Met {
+    double time = std::numeric_limits<double>::infinity();
+    std::size_t obstacle = 0; ///< slot
+    Surface surface;
 };
 
 /// What the motion of bodies leaves behind.
@@ -94,9 +106,6 @@ struct Happenings {
     return {static_cast<std::uint32_t>(index + 1), slot.generation};
 }
 
-/// Gives the body its next phase and notes it.
-void beginPhase(BodySlot& body, BodyId id, const Phase& phase, Happenings& out);
-
 /// A surface that a body was held by or has brushed, and whose it is.
 struct Left {
     Surface surface;
@@ -104,13 +113,60 @@ struct Left {
     bool parts = false; ///< the body is known to part from it
 };
 
-/// Lets the body fly from this pose at time t. If it parts from the surface that it leaves, it is kept clear of it for
-/// a while; else it meets it again at once.
-void beginFlying(const Surroundings& around, BodySlot& body, BodyId id, double t, const Pose& pose,
-                 const Vec3& velocity, Lead lead, const std::optional<Left>& left, Happenings& out);
+/// One body at one moment, and all that happens to it there: each of these ends its phase and begins the next.
+/// Reads the surroundings and no other body; writes the body and `out`.
+class Moment {
+public:
+    Moment(const Surroundings& around, BodySlot& body, BodyId id, double t, Happenings& out)
+        : around_(around), body_(body), id_(id), t_(t), out_(out) {}
+
+    /// Gives the body its next phase and notes it.
+    void begin(Phase phase);
+    /// Lets the body fly from this pose. It is kept clear for a while of the surfaces that it parts from; the others it
+    /// meets again at once. Within `ease` s it comes from the pose's form to the flight's; 0: at once.
+    void fly(const Pose& pose, const Vec3& velocity, Lead lead, std::span<const Left> lefts = {}, double ease = 0.0);
+    /// It goes on flying with what it has, clear of what it has left but still reaches.
+    void flyOn();
+    /// It has touched the obstacle: an impact begins, or it goes on, clear of what it brushes while parting from it.
+    void touch(const Met& met);
+    /// In an impact, it has come near to another obstacle, which waits.
+    void queue(const Met& met);
+    /// The impact is over: the next one that waits begins, or the body flies off, or rests.
+    void endImpact();
+    /// An obstacle has come upon it at rest: it is pressed against what it rests on, or meets it.
+    void hitAtRest(const Met& met);
+    /// What pressed it at rest does not touch it any more.
+    void pressLetGo();
+    /// What held it lets it go, or drops away; it goes on with the velocity that it had.
+    void wake() { wake(held(), velocity()); }
+    void wake(std::span<const Left> lefts) { wake(lefts, velocity()); }
+    void wake(std::span<const Left> lefts, const Vec3& velocity);
+    /// What pressed it at rest is gone at once: it comes back to its own form.
+    void recover();
+    /// It found no end of events here: it is put to rest where it is.
+    void settle();
+
+    /// What the body rests on, squashes against, waits for or is just leaving.
+    [[nodiscard]] std::vector<Left> held() const;
+
+private:
+    [[nodiscard]] Pose pose() const { return poseAt(body_.phase, *body_.shape, t_); }
+    [[nodiscard]] Vec3 velocity() const { return velocityAt(body_.phase, *body_.shape, t_); }
+    void note(EventType type, ObstacleId other, const Surface& surface, double speed, const ImpactCurve& curve);
+    bool beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, std::vector<KeptClear> waiting);
+    bool meetNextWaiting(const Impact& impact);
+    void restOn(const Impact& impact, const std::vector<KeptClear>& pressing);
+    [[nodiscard]] std::vector<KeptClear> pressingOn(const Surface& surface) const;
+    [[nodiscard]] double leastPartingSpeed(const Surface& surface) const;
+
+    const Surroundings& around_;
+    BodySlot& body_;
+    BodyId id_;
+    double t_;
+    Happenings& out_;
+};
 
 /// Moves one body from time `from` to `to` through all its phases.
-/// Reads the surroundings and no other body; writes the body's phase and `out`.
 void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out);
 
 } // namespace elastoon

@@ -18,6 +18,9 @@ void Surroundings::include(std::size_t slot, double t) {
     exclude(slot);
     if (obstacle.isPlane()) {
         insertSorted(planes, slot);
+        if (obstacle.frame.moves()) {
+            insertSorted(moving_planes, slot);
+        }
         return;
     }
     solids.insert(slot, boxOf(*obstacle.shape, obstacle.frame, t));
@@ -28,6 +31,7 @@ void Surroundings::include(std::size_t slot, double t) {
 
 void Surroundings::exclude(std::size_t slot) {
     std::erase(planes, slot);
+    std::erase(moving_planes, slot);
     std::erase(moving_solids, slot);
     solids.remove(slot);
 }
@@ -38,11 +42,11 @@ void Surroundings::prepareStep(double from, double to) {
     }
 }
 
-void Surroundings::near(const Phase& flight, const Shape& shape, double from, double to,
+void Surroundings::near(const Phase& phase, const Shape& shape, double from, double to,
                         std::vector<std::size_t>& found) const {
     found.clear();
     if (solids.size() > 0) {
-        solids.meeting(sweptBox(flight, shape, from, to), found);
+        solids.meeting(sweptBox(phase, shape, from, to), found);
     }
     const auto middle = static_cast<std::ptrdiff_t>(found.size());
     found.insert(found.end(), planes.begin(), planes.end());

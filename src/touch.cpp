@@ -5,11 +5,14 @@
 #include "closest.h"
 #include "contact.h"
 #include "flight.h"
+#include "push.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace elastoon {
 
@@ -28,9 +31,7 @@ struct Approach {
     const Shape& shape;
     const Surface& surface;
 
-    [[nodiscard]] double gap(double t) const {
-        return gapTo(surface, shape, flightPose(flight, shape, phase.start, t - phase.start), t);
-    }
+    [[nodiscard]] double gap(double t) const { return gapTo(surface, shape, poseAt(phase, shape, t), t); }
     /// Speed at which the unpushed centroid parts from the plane.
     [[nodiscard]] double partingSpeed(double t) const {
         const Vec3 velocity = flightVelocity(flight, t - phase.start);
@@ -40,13 +41,7 @@ struct Approach {
     [[nodiscard]] double otherRate(double t, double span) const {
         const double elapsed = t - phase.start;
         const FlightBounds bounds = flightBounds(flight, shape, elapsed, elapsed + span);
-        double rate = bounds.shape_rate;
-        if (t <= flight.leaving_until) {
-            const double spin = glm::length(flight.leaving.frame.angular_velocity);
-            const double arm = glm::length(flight.position - flight.leaving.frame.originAt(t)) + bounds.reach +
-                               (bounds.speed + glm::length(flight.leaving.frame.velocity)) * (elapsed + span);
-            rate += bounds.shape_rate + 2.0 * spin * arm;
-        }
+        double rate = bounds.shape_rate + pushRate(t, span, bounds);
         const double spin = glm::length(surface.frame.angular_velocity);
         if (spin > 0.0) {
             const double arm = glm::length(flight.position - surface.frame.originAt(phase.start)) + bounds.reach +
@@ -55,9 +50,22 @@ struct Approach {
         }
         return rate;
     }
+    /// Greatest speed of the push off what the flight leaves.
+    [[nodiscard]] double pushRate(double t, double span, const FlightBounds& bounds) const {
+        const double gain = phase.clear_of.empty() ? 0.0 : pushGain(phase, t);
+        double rate = 0.0;
+        for (const KeptClear& kept : phase.clear_of) {
+            const MovingFrame& frame = kept.surface.frame;
+            const double drift = (bounds.speed + glm::length(frame.velocity)) * (t - phase.start + span);
+            const double arm = glm::length(flight.position - frame.originAt(t)) + bounds.reach + drift;
+            const double turning = 2.0 * glm::length(frame.angular_velocity) * arm;
+            rate = std::max(rate, bounds.speed + glm::length(frame.velocity) + bounds.shape_rate + turning);
+        }
+        return gain * rate;
+    }
     /// The bounding ball's way shows that nothing touches within [from, to].
     [[nodiscard]] bool farFrom(double from, double to) const {
-        if (surface.frame.angular_velocity != Vec3(0.0) || from <= flight.leaving_until) {
+        if (surface.frame.angular_velocity != Vec3(0.0) || (!phase.clear_of.empty() && pushGain(phase, from) > 0.0)) {
             return false;
         }
         const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
@@ -187,7 +195,7 @@ PosedShape posed(const ShapePtr& solid, const MovingFrame& frame, double t) {
 /// A supporting plane of the solid that parts it best from a body that touches it, or nearly so. A vanishing distance
 /// has no direction, so the body is also looked at from a hair outside, along each of the hints.
 Surface partingPlane(const Shape& shape, const Pose& pose, const ShapePtr& solid, const MovingFrame& frame, double t,
-                     std::initializer_list<Vec3> hints) {
+                     std::span<const Vec3> hints) {
     const double hair = kRounding * shape.length();
     Surface best;
     double widest = -std::numeric_limits<double>::infinity();
@@ -219,21 +227,31 @@ Vec3 centerLine(const Pose& pose, const Vec3& solid_center) {
 }
 
 /// The bounding balls' ways show that they do not meet within [from, to].
-bool ballsMiss(const Flight& flight, const Shape& shape, const Shape& solid, const MovingFrame& frame, double from,
-               double to, double start) {
-    const FlightBounds bounds = flightBounds(flight, shape, from - start, to - start);
+bool ballsMiss(const Phase& phase, const Shape& shape, const Shape& solid, const MovingFrame& frame, double from,
+               double to) {
+    const auto& flight = std::get<Flight>(phase.motion);
+    const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
     const double way = (bounds.speed + glm::length(frame.velocity)) * (to - from);
-    const double push = from <= flight.leaving_until ? 2.0 * bounds.reach : 0.0;
+    const double push = phase.clear_of.empty() ? 0.0 : 4.0 * pushGain(phase, from) * bounds.reach;
     const double reach = bounds.reach + solid.boundingRadius() + way + push;
-    const Vec3 between = unpushedPose(flight, from - start).position - frame.originAt(from);
+    const Vec3 between = unpushedPose(flight, from - phase.start).position - frame.originAt(from);
     return glm::dot(between, between) > reach * reach;
+}
+
+/// Directions in which a body that touches a solid may lie from it.
+std::vector<Vec3> hintsOf(const Phase& phase, const Pose& pose, const MovingFrame& frame, double t) {
+    std::vector<Vec3> hints{centerLine(pose, frame.originAt(t))};
+    for (const KeptClear& kept : phase.clear_of) {
+        hints.push_back(kept.surface.normalAt(t));
+    }
+    return hints;
 }
 
 } // namespace
 
 std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, const ShapePtr& solid,
                                      const MovingFrame& frame, double from, double to, ClosestSeed& seed) {
-    if (ballsMiss(std::get<Flight>(flight.motion), shape, *solid, frame, from, to, flight.start)) {
+    if (ballsMiss(flight, shape, *solid, frame, from, to)) {
         return std::nullopt;
     }
     // A plane between the two keeps them apart until the body touches it; then a better plane is sought.
@@ -247,9 +265,7 @@ std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, co
         if (!touches) {
             plane = supportingPlane(solid, frame, (closest.point_a - closest.point_b) / closest.distance, t);
         } else if (i == 0) {
-            const auto& leaving = std::get<Flight>(flight.motion).leaving;
-            plane =
-                partingPlane(shape, pose, solid, frame, t, {leaving.normalAt(t), centerLine(pose, frame.originAt(t))});
+            plane = partingPlane(shape, pose, solid, frame, t, hintsOf(flight, pose, frame, t));
         }
         if (touches) {
             return Touch{t, plane};
@@ -269,8 +285,8 @@ std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, co
 Surface separatingPlane(const Surface& surface, const Shape& shape, const Pose& pose, double t) {
     Surface plane = surface;
     if (surface.solid) {
-        plane = partingPlane(shape, pose, surface.solid, surface.frame, t,
-                             {surface.normalAt(t), centerLine(pose, surface.frame.originAt(t))});
+        const std::array hints{surface.normalAt(t), centerLine(pose, surface.frame.originAt(t))};
+        plane = partingPlane(shape, pose, surface.solid, surface.frame, t, hints);
         plane.solid = nullptr;
     }
     // On a turning surface the velocity under the contact counts.

@@ -51,9 +51,10 @@ struct World::Impl {
     [[nodiscard]] std::optional<Overlap> overlapWith(std::size_t index, const Shape& shape, const Pose& pose) const;
     /// The deepest place where this pose penetrates an obstacle by more than 1e-6 of the length.
     [[nodiscard]] std::optional<Overlap> overlap(const Shape& shape, const Pose& pose) const;
-    [[nodiscard]] std::optional<Left> heldBy(const BodySlot& body) const;
-    void flyOn(BodyId id, const Vec3& velocity, const std::optional<Left>& left);
-    void wake(BodyId id, const std::optional<Left>& left);
+    [[nodiscard]] Moment now(BodyId id) { return {around, *find(id), id, time, pending}; }
+    void fly(BodyId id, const Vec3& velocity, const std::vector<Left>& lefts);
+    void follow(BodyId id, ObstacleId obstacle, const MovingFrame& frame);
+    void letGo(BodyId id, ObstacleId obstacle);
     void takePending();
     void advanceBodies(double to);
 };
@@ -187,7 +188,7 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     slot.style = def.style;
     slot.user_data = def.user_data;
     const BodyId id = idOfBody(index, slot);
-    beginFlying(impl_->around, slot, id, impl_->time, pose, def.velocity, Lead::PlusX, std::nullopt, impl_->pending);
+    impl_->now(id).fly(pose, def.velocity, Lead::PlusX);
     return id;
 }
 
@@ -216,6 +217,21 @@ Result<ObstacleId> World::addObstacle(const ObstacleDef& def) {
     return idOfObstacle(index, slot);
 }
 
+/// The obstacle is gone: what it held flies on, and nothing is kept clear of it.
+void World::Impl::letGo(BodyId id, ObstacleId obstacle) {
+    BodySlot& body = *find(id);
+    const bool held = body.phase.obstacle == obstacle && !std::holds_alternative<Flight>(body.phase.motion);
+    const auto isOfIt = [&](const KeptClear& kept) { return kept.obstacle == obstacle; };
+    const bool near = std::any_of(body.phase.clear_of.begin(), body.phase.clear_of.end(), isOfIt);
+    if (held) {
+        std::vector<Left> lefts = now(id).held();
+        std::erase_if(lefts, [&](const Left& left) { return left.obstacle == obstacle; });
+        now(id).wake(lefts);
+    } else if (near && std::holds_alternative<Rest>(body.phase.motion)) {
+        now(id).recover();
+    }
+}
+
 bool World::removeObstacle(ObstacleId id) {
     ObstacleSlot* obstacle = impl_->find(id);
     if (obstacle == nullptr) {
@@ -225,8 +241,8 @@ bool World::removeObstacle(ObstacleId id) {
     releaseSlot(*obstacle, id.slot - 1, impl_->free_obstacles);
     for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
         const BodySlot& body = impl_->bodies[i];
-        if (body.used && body.phase.obstacle == id) {
-            impl_->wake(idOfBody(i, body), std::nullopt);
+        if (body.used) {
+            impl_->letGo(idOfBody(i, body), id);
         }
     }
     return true;
@@ -260,40 +276,10 @@ std::vector<ObstacleId> World::obstacles() const {
     return ids;
 }
 
-/// What a body rests on, squashes against or is just leaving.
-std::optional<Left> World::Impl::heldBy(const BodySlot& body) const {
-    if (const auto* impact = std::get_if<Impact>(&body.phase.motion)) {
-        return Left{impact->surface, body.phase.obstacle};
-    }
-    if (const auto* rest = std::get_if<Rest>(&body.phase.motion)) {
-        return Left{rest->surface, body.phase.obstacle};
-    }
-    const auto& flight = std::get<Flight>(body.phase.motion);
-    return flight.leaving_until >= time ? std::optional(Left{flight.leaving, body.phase.obstacle}) : std::nullopt;
-}
-
 /// The body flies on from its present pose; the stretch and axis become those of the velocity.
-void World::Impl::flyOn(BodyId id, const Vec3& velocity, const std::optional<Left>& left) {
-    BodySlot& body = *find(id);
-    const Pose pose = poseAt(body.phase, *body.shape, time);
-    beginFlying(around, body, id, time, pose, velocity, Lead::Nearest, left, pending);
-}
-
-/// A body that was held flies on with the velocity that it had.
-void World::Impl::wake(BodyId id, const std::optional<Left>& left) {
+void World::Impl::fly(BodyId id, const Vec3& velocity, const std::vector<Left>& lefts) {
     const BodySlot& body = *find(id);
-    const Vec3 velocity = velocityAt(body.phase, *body.shape, time);
-    if (const auto* rest = std::get_if<Rest>(&body.phase.motion)) {
-        Event event;
-        event.time = time;
-        event.type = EventType::Wake;
-        event.body = id;
-        event.other = body.phase.obstacle;
-        event.point = rest->surface.pointAt(time);
-        event.normal = rest->surface.normalAt(time);
-        pending.events.push_back(event);
-    }
-    flyOn(id, velocity, left);
+    now(id).fly(poseAt(body.phase, *body.shape, time), velocity, Lead::Nearest, lefts);
 }
 
 Status World::setPosition(BodyId id, const Vec3& position) {
@@ -311,7 +297,7 @@ Status World::setPosition(BodyId id, const Vec3& position) {
     if (const auto overlap = impl_->overlap(*body->shape, unpushedPose(flight, 0.0))) {
         return overlapError(*overlap);
     }
-    beginFlying(impl_->around, *body, id, impl_->time, pose, velocity, Lead::Nearest, std::nullopt, impl_->pending);
+    impl_->now(id).fly(pose, velocity, Lead::Nearest);
     return success();
 }
 
@@ -322,7 +308,7 @@ Status World::setVelocity(BodyId id, const Vec3& velocity) {
     if (auto error = checkVector(velocity, kMostSpeed, "velocity")) {
         return *error;
     }
-    impl_->flyOn(id, velocity, impl_->heldBy(*impl_->find(id)));
+    impl_->fly(id, velocity, impl_->now(id).held());
     return success();
 }
 
@@ -336,7 +322,7 @@ Status World::setStyle(BodyId id, const Style& style) {
     }
     body->style = style;
     if (std::holds_alternative<Flight>(body->phase.motion)) {
-        impl_->flyOn(id, velocityAt(body->phase, *body->shape, impl_->time), impl_->heldBy(*body));
+        impl_->now(id).flyOn();
     }
     return success();
 }
@@ -354,10 +340,51 @@ Status World::setGravity(const Vec3& gravity) {
         const auto* rest = std::get_if<Rest>(&body.phase.motion);
         if (std::holds_alternative<Flight>(body.phase.motion) ||
             (rest != nullptr && !canHold(rest->surface, impl_->time, gravity, body.style))) {
-            impl_->wake(idOfBody(i, body), impl_->heldBy(body));
+            impl_->now(idOfBody(i, body)).wake();
         }
     }
     return success();
+}
+
+/// The obstacle goes on otherwise: so does what is on it.
+void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& frame) {
+    BodySlot& body = *find(id);
+    Phase phase = body.phase;
+    bool concerns = false;
+    for (KeptClear& kept : phase.clear_of) {
+        if (kept.obstacle == obstacle) {
+            kept.surface.frame = frame;
+            concerns = true;
+        }
+    }
+    const bool flies = std::holds_alternative<Flight>(phase.motion);
+    if (!concerns && (flies || phase.obstacle != obstacle)) {
+        return;
+    }
+    phase.start = time;
+    if (flies) {
+        body.phase.clear_of = phase.clear_of;
+        now(id).flyOn();
+        return;
+    }
+    bool drops = false;
+    if (phase.obstacle == obstacle) {
+        auto* rest = std::get_if<Rest>(&phase.motion);
+        Surface& surface = rest != nullptr ? rest->surface : std::get<Impact>(phase.motion).surface;
+        if (rest != nullptr) {
+            const Vec3 point = surface.pointAt(time);
+            const Vec3 change = frame.velocityAt(time, point) - surface.frame.velocityAt(time, point);
+            drops = glm::dot(change, surface.normalAt(time)) < 0.0;
+        }
+        surface.frame = frame;
+        phase.end = rest != nullptr ? holdsUntil(surface, time, around.gravity, body.style) : phase.end;
+    }
+    // What drops away leaves the body with the velocity that it had.
+    const Vec3 velocity = velocityAt(body.phase, *body.shape, time);
+    now(id).begin(phase);
+    if (drops) {
+        now(id).wake(now(id).held(), velocity);
+    }
 }
 
 Status World::setObstacleMotion(ObstacleId id, const Vec3& velocity, const Vec3& angular_velocity) {
@@ -375,32 +402,9 @@ Status World::setObstacleMotion(ObstacleId id, const Vec3& velocity, const Vec3&
     obstacle->frame = {t, obstacle->frame.originAt(t), obstacle->frame.orientationAt(t), velocity, angular_velocity};
     impl_->around.include(id.slot - 1, t);
     for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
-        BodySlot& body = impl_->bodies[i];
-        if (!body.used || body.phase.obstacle != id) {
-            continue;
+        if (impl_->bodies[i].used) {
+            impl_->follow(idOfBody(i, impl_->bodies[i]), id, obstacle->frame);
         }
-        auto left = impl_->heldBy(body);
-        Phase phase = body.phase;
-        phase.start = t;
-        if (auto* rest = std::get_if<Rest>(&phase.motion)) {
-            const Vec3 point = rest->surface.pointAt(t);
-            const Vec3 change = obstacle->frame.velocityAt(t, point) - rest->surface.frame.velocityAt(t, point);
-            if (glm::dot(change, rest->surface.normalAt(t)) < 0.0) {
-                left->surface.frame = obstacle->frame;
-                impl_->wake(idOfBody(i, body), left);
-                continue;
-            }
-            rest->surface.frame = obstacle->frame;
-        } else if (auto* impact = std::get_if<Impact>(&phase.motion)) {
-            impact->surface.frame = obstacle->frame;
-        } else {
-            if (left) {
-                left->surface.frame = obstacle->frame;
-            }
-            impl_->flyOn(idOfBody(i, body), velocityAt(body.phase, *body.shape, t), left);
-            continue;
-        }
-        beginPhase(body, idOfBody(i, body), phase, impl_->pending);
     }
     return success();
 }

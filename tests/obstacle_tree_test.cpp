@@ -313,14 +313,16 @@ TEST(ObstacleTree, SweptBoxHoldsABodyInFlight) {
         phase.start = random.uniform(0.0, 100.0);
         const Pose pose{random.inBox(std::pow(10.0, random.uniform(0.0, 4.0))), random.rotation(), 1.0};
         const Vec3 velocity = random.below(8) == 0 ? Vec3(0.0) : random.inBox(10.0);
-        Flight flight = beginFlight(pose, velocity, gravity, style, Lead::PlusX);
-        if (random.below(2) == 0) {
-            flight.leaving.frame = randomFrame(random);
-            flight.leaving.normal = random.direction();
-            const Vec3 normal = flight.leaving.normalAt(phase.start);
-            flight.leaving.point = flight.leaving.frame.frameFromWorld(
+        const Flight flight = beginFlight(pose, velocity, gravity, style, Lead::PlusX);
+        for (std::size_t kept = random.below(3); kept > 0; --kept) {
+            KeptClear leaving;
+            leaving.surface.frame = randomFrame(random);
+            leaving.surface.normal = random.direction();
+            const Vec3 normal = leaving.surface.normalAt(phase.start);
+            leaving.surface.point = leaving.surface.frame.frameFromWorld(
                 phase.start, pose.position - normal * random.uniform(-0.2, 1.0) * shape->boundingRadius());
-            flight.leaving_until = phase.start + random.uniform(0.0, 2.0);
+            leaving.until = phase.start + random.uniform(0.0, 2.0);
+            phase.clear_of.push_back(leaving);
         }
         phase.motion = flight;
         const double from = phase.start + (random.below(2) == 0 ? 0.0 : random.uniform(0.0, 2.0));

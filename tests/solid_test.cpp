@@ -1,32 +1,15 @@
 // Bodies among convex solids: they touch in time, do not enter, keep contact, rest on top, and fall off the ends.
 #include "contact.h"
 #include "flight.h"
-#include "oracle_solids.h"
 #include "test_support.h"
 #include "touch.h"
+#include "witness_support.h"
 
 #include <cmath>
 #include <cstdlib>
 
 namespace elastoon {
 namespace {
-
-std::vector<RealVec> postured(const Shape& shape, const Pose& pose) {
-    std::vector<RealVec> points;
-    for (const Vec3& vertex : shape.vertices()) {
-        const Vec3 p = worldFromShape(pose, vertex);
-        points.push_back({p.x, p.y, p.z});
-    }
-    return points;
-}
-
-/// Separation by the oracle, in units of the body's length.
-double separation(const Shape& body, const Pose& pose, const Shape& solid, const Pose& solid_pose) {
-    const SolidWitness a(body);
-    const SolidWitness b(solid);
-    return static_cast<double>(separationBySat({&a, postured(body, pose)}, {&b, postured(solid, solid_pose)})) /
-           body.length();
-}
 
 ObstacleDef solidDef(const ShapePtr& shape, const Vec3& position, const Quat& rotation = kNoRotation) {
     ObstacleDef def;

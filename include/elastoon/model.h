@@ -43,6 +43,12 @@ struct ImpactCurve {
 /// The curve of one impact. Paper, section 3.4; floors and limits: docs/model.md.
 [[nodiscard]] ImpactCurve impactCurve(const Style& style, const ImpactInput& input);
 
+/// How long a body takes to its own form where no speed drives it, s: the squash half of the gentlest impact.
+[[nodiscard]] double settlingTime(const Style& style, double length);
+
+/// From a squeezed form back to s = 1, as from the deepest squash: the squash half takes no time.
+[[nodiscard]] ImpactCurve recoveryCurve(const Style& style, double length, double stretch);
+
 /// Share 0..1 of the whole turn that is done at local time t of an impact: 1/2 at t_in for either easing.
 [[nodiscard]] double turnShare(const ImpactCurve& curve, ImpactEasing easing, double t);
 

@@ -10,6 +10,7 @@
 #include <limits>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace elastoon {
 
@@ -49,6 +50,14 @@ enum class AxisRule : std::uint8_t {
     Fixed, ///< nothing turns it: no speed and no gravity
 };
 
+/// A form that a flight begins with and that is not the one of its velocity: it fades within `span`, smoothly.
+struct Ease {
+    double span = 0.0; ///< s; 0: nothing to fade
+    Vec3 axis{0.0, 0.0, 1.0}; ///< unit, world
+    double angle = 0.0; ///< turn besides the velocity's, at the start, rad
+    double stretch = 0.0; ///< stretch besides the velocity's, at the start
+};
+
 /// Free flight under constant gravity; the stretch and the axis follow the velocity.
 struct Flight {
     Vec3 position{0.0}; ///< at start
@@ -61,10 +70,7 @@ struct Flight {
     double reversal_speed = 0.0; ///< epsilon = |g| / reversal_rate, m/s
     double max_stretch = 1.0, stretch_rate = 0.0;
     AxisRule rule = AxisRule::Velocity;
-    /// The surface just left. Until leaving_until (inclusive) the body is pushed clear of it along its normal, should
-    /// it turn or lengthen into it; the push depends on time alone.
-    Surface leaving;
-    double leaving_until = -std::numeric_limits<double>::infinity();
+    Ease ease;
 };
 
 /// Squash and stretch against a surface, turning about the contact. Lives in the frame of the surface.
@@ -87,11 +93,21 @@ struct Rest {
     Pose pose; ///< in the surface's frame
 };
 
+/// A plane, carried by a frame, that a body is moved clear of should it turn, lengthen or bulge into it: of an obstacle
+/// that it leaves, or of one that waits for its turn while another is met. The move depends on time alone.
+struct KeptClear {
+    Surface surface; ///< without a solid: between the body and the obstacle
+    ObstacleId obstacle;
+    double since = 0.0; ///< when it was left, or come near to
+    double until = std::numeric_limits<double>::infinity(); ///< inclusive
+};
+
 /// One phase of one body: immutable once made.
 struct Phase {
     double start = 0.0;
     double end = std::numeric_limits<double>::infinity(); ///< an impact's own end; else infinite until an event ends it
     ObstacleId obstacle; ///< that an impact or rest is against, or that a flight has just left
+    std::vector<KeptClear> clear_of;
     std::variant<Flight, Impact, Rest> motion;
 };
 

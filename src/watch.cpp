@@ -1,0 +1,143 @@
+// Based on: conservative advancement (Mirtich 1996); the speed bounds are those of the impact's closed form. See
+// watch.h.
+#include "watch.h"
+
+#include "closest.h"
+#include "contact.h"
+#include "push.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace elastoon {
+
+namespace {
+
+constexpr int kMostAdvances = 100000;
+
+/// Of one half of an impact: how fast it turns (rad/s) and stretches (1/s) at most.
+struct HalfRates {
+    double turn, stretch;
+};
+
+HalfRates ratesOf(const Impact& impact, double length, double span, double omega) {
+    if (length <= 0.0) {
+        return {0.0, 0.0};
+    }
+    // The easing's slope is at most 2 in a half that does half of the turn, and 1.5 in one that does all of it.
+    const bool alone = impact.curve.t_in <= 0.0 || impact.curve.t_out <= 0.0;
+    return {impact.turn_angle * (alone ? 1.5 : 1.0) / length, std::fabs(span) * omega};
+}
+
+HeldBounds impactBounds(const Impact& impact, const Shape& shape, double from, double to) {
+    const ImpactCurve& curve = impact.curve;
+    const double middle = impact.begun + curve.t_in;
+    HalfRates most{0.0, 0.0};
+    const auto include = [&](const HalfRates& rates) {
+        most = {std::max(most.turn, rates.turn), std::max(most.stretch, rates.stretch)};
+    };
+    if (from < middle) {
+        include(ratesOf(impact, curve.t_in, curve.s_in - curve.s_mid, curve.omega_in));
+    }
+    if (to >= middle) {
+        include(ratesOf(impact, curve.t_out, curve.s_out - curve.s_mid, curve.omega_out));
+    }
+    const double longest = std::max(curve.s_in, curve.s_out);
+    const double flattest = std::min({curve.s_in, curve.s_mid, curve.s_out});
+    const double along = longest * shape.reachAlong();
+    const double across = shape.reachAcross() / std::sqrt(flattest);
+    HeldBounds bounds;
+    bounds.reach = std::sqrt(along * along + across * across);
+    const double widening = 0.5 * across / flattest;
+    const double stretching = most.stretch * std::sqrt(shape.reachAlong() * shape.reachAlong() + widening * widening);
+    // Twice: about the contact, not the centroid. As much again for the way along the normal; on a solid it may be
+    // steep.
+    const double own = 2.0 * (most.turn * bounds.reach + stretching) * (impact.surface.solid ? 4.0 : 2.0);
+    const MovingFrame& frame = impact.surface.frame;
+    const double arm = glm::length(impact.surface.point) + 3.0 * bounds.reach;
+    bounds.speed = own + glm::length(frame.velocity) + glm::length(frame.angular_velocity) * arm;
+    return bounds;
+}
+
+HeldBounds restBounds(const Rest& rest, const Shape& shape) {
+    HeldBounds bounds;
+    const double along = rest.pose.stretch * shape.reachAlong();
+    const double across = shape.reachAcross() / std::sqrt(rest.pose.stretch);
+    bounds.reach = std::sqrt(along * along + across * across);
+    const MovingFrame& frame = rest.surface.frame;
+    bounds.speed = glm::length(frame.velocity) +
+                   glm::length(frame.angular_velocity) * (glm::length(rest.pose.position) + bounds.reach);
+    return bounds;
+}
+
+/// The solid's supporting plane across `normal` (world).
+Surface planeAcross(const Watched& watched, const Vec3& normal, double t) {
+    Surface surface;
+    surface.frame = watched.frame;
+    surface.normal = glm::normalize(glm::conjugate(watched.frame.orientationAt(t)) * normal);
+    surface.point = watched.solid->vertices()[watched.solid->supportVertex(surface.normal)];
+    return surface;
+}
+
+} // namespace
+
+HeldBounds heldBounds(const Phase& phase, const Shape& shape, double from, double to) {
+    const auto* impact = std::get_if<Impact>(&phase.motion);
+    HeldBounds bounds =
+        impact != nullptr ? impactBounds(*impact, shape, from, to) : restBounds(std::get<Rest>(phase.motion), shape);
+    if (!phase.clear_of.empty()) {
+        double fastest = bounds.speed;
+        for (const KeptClear& kept : phase.clear_of) {
+            const MovingFrame& frame = kept.surface.frame;
+            fastest = std::max(fastest, bounds.speed + glm::length(frame.velocity) +
+                                            glm::length(frame.angular_velocity) *
+                                                (glm::length(kept.surface.point) + 3.0 * bounds.reach));
+        }
+        bounds.speed += pushGain(phase, from) * fastest;
+    }
+    return bounds;
+}
+
+Distance distanceTo(const Watched& watched, const Shape& shape, const Pose& pose, double t, ClosestSeed& seed) {
+    if (!watched.solid) {
+        const Surface plane{watched.frame, Vec3(0.0), watched.normal, nullptr};
+        return {gapTo(plane, shape, pose, t), plane};
+    }
+    const PosedShape body{&shape, linearOf(pose), pose.position};
+    const PosedShape solid{watched.solid.get(), glm::mat3_cast(watched.frame.orientationAt(t)),
+                           watched.frame.originAt(t)};
+    const Closest closest = closestPoints(body, solid, seed);
+    if (!closest.overlap) {
+        return {closest.distance, planeAcross(watched, closest.normal, t)};
+    }
+    const Vec3 between = pose.position - solid.position;
+    const double length = glm::length(between);
+    Surface hint = planeAcross(watched, length > 0.0 ? between / length : Vec3(0.0, 1.0, 0.0), t);
+    hint.solid = watched.solid;
+    return {0.0, separatingPlane(hint, shape, pose, t)};
+}
+
+std::optional<Touch> firstNear(const Phase& phase, const Shape& shape, const Watched& watched, double from, double to,
+                               double gap) {
+    ClosestSeed seed;
+    const HeldBounds bounds = heldBounds(phase, shape, from, to);
+    const double spin = glm::length(watched.frame.angular_velocity);
+    double t = from;
+    for (int i = 0; i < kMostAdvances; ++i) {
+        const Pose pose = poseAt(phase, shape, t);
+        const Distance distance = distanceTo(watched, shape, pose, t, seed);
+        if (distance.gap <= gap) {
+            return Touch{t, distance.plane};
+        }
+        const double arm = glm::length(pose.position - watched.frame.originAt(t)) + bounds.reach +
+                           (watched.solid ? 0.0 : distance.gap) + (to - t) * bounds.speed;
+        const double speed = bounds.speed + glm::length(watched.frame.velocity) + spin * arm;
+        if (!(t + (distance.gap - 0.5 * gap) / speed < to)) {
+            return std::nullopt;
+        }
+        t += (distance.gap - 0.5 * gap) / speed;
+    }
+    return Touch{t, distanceTo(watched, shape, poseAt(phase, shape, t), t, seed).plane};
+}
+
+} // namespace elastoon

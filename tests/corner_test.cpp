@@ -1,0 +1,240 @@
+// Bodies among several surfaces at once: corners, presses, what waits and what is dropped.
+#include "closest_support.h"
+#include "contact.h"
+#include "push.h"
+#include "test_support.h"
+#include "witness_support.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace elastoon {
+namespace {
+
+std::vector<Barrier> randomBarriers(Random& random, int count) {
+    std::vector<Barrier> barriers;
+    for (int i = 0; i < count; ++i) {
+        barriers.push_back({random.direction() * random.uniform(0.3, 1.0), random.uniform(-1.0, 0.4)});
+    }
+    return barriers;
+}
+
+/// By Dykstra's alternating projections: slow, and another way to the same point.
+Vec3 projected(const std::vector<Barrier>& barriers) {
+    Vec3 x(0.0);
+    std::vector<Vec3> memory(barriers.size(), Vec3(0.0));
+    for (int round = 0; round < 20000; ++round) {
+        for (std::size_t i = 0; i < barriers.size(); ++i) {
+            const Vec3 y = x + memory[i];
+            const Vec3& way = barriers[i].way;
+            const double lack = -barriers[i].gap - glm::dot(way, y);
+            x = lack > 0.0 ? y + way * (lack / glm::dot(way, way)) : y;
+            memory[i] = y - x;
+        }
+    }
+    return x;
+}
+
+TEST(Push, IsTheShortestWayOut) {
+    Random random(41);
+    int pushed = 0;
+    int blocked = 0;
+    for (int i = 0; i < 300; ++i) {
+        const auto barriers = randomBarriers(random, 1 + i % 4);
+        const auto push = leastPush(barriers, 20.0);
+        if (!push) {
+            ++blocked;
+            continue;
+        }
+        pushed += glm::length(*push) > 0.0 ? 1 : 0;
+        for (const Barrier& barrier : barriers) {
+            EXPECT_GE(barrier.gap + glm::dot(*push, barrier.way), -1e-12);
+        }
+        EXPECT_LT(glm::length(*push - projected(barriers)), 1e-3 * (1.0 + glm::length(*push))) << i;
+    }
+    EXPECT_GT(pushed, 150);
+    EXPECT_LT(blocked, 30);
+}
+
+TEST(Push, ChangesContinuously) {
+    Random random(42);
+    for (int i = 0; i < 300; ++i) {
+        auto barriers = randomBarriers(random, 3);
+        const auto before = leastPush(barriers, 3.0);
+        for (Barrier& barrier : barriers) {
+            barrier.gap += 1e-7;
+        }
+        const auto after = leastPush(barriers, 3.0);
+        if (before && after) {
+            EXPECT_LT(glm::length(*before - *after), 1e-3);
+        }
+    }
+}
+
+TEST(Push, NoWayOutBetweenTwoThatOppose) {
+    const Barrier between[] = {{{0, 1, 0}, -0.1}, {{0, -1, 0}, -0.1}};
+    EXPECT_FALSE(leastPush(between, 10.0).has_value());
+    EXPECT_TRUE(opposes({0, 1, 0}, {0, -1, 0}));
+    EXPECT_FALSE(opposes({0, 1, 0}, {1, 0, 0}));
+    EXPECT_FALSE(opposes({0, 1, 0}, {0, 1, 0}));
+}
+
+BodyDef ball(double restitution, const Vec3& position, const Vec3& velocity) {
+    BodyDef def;
+    def.shape = valueOf(Shape::sphere(0.5));
+    def.style.restitution = restitution;
+    def.position = position;
+    def.velocity = velocity;
+    return def;
+}
+
+std::vector<Event> run(World& world, double seconds, double fps = 60.0) {
+    std::vector<Event> events;
+    for (int i = 0; i < static_cast<int>(seconds * fps); ++i) {
+        world.step(1.0 / fps);
+        events.insert(events.end(), world.events().begin(), world.events().end());
+    }
+    return events;
+}
+
+int countOf(const std::vector<Event>& events, EventType type) {
+    return static_cast<int>(
+        std::count_if(events.begin(), events.end(), [&](const Event& e) { return e.type == type; }));
+}
+
+TEST(Corner, FloorThenWallWithNoFlightBetween) {
+    World world = worldWithFloor({0, 0, 0});
+    const ObstacleId wall = valueOf(world.addObstacle(ObstacleDef::plane({-1, 0, 0}, 0.0)));
+    const BodyId body = valueOf(world.addBody(ball(1.0, {-2.2, 2.0, 0.0}, {6.0, -6.0, 0.0})));
+    const auto events = run(world, 2.0);
+    ASSERT_EQ(events.size(), 4U);
+    EXPECT_EQ(events[1].type, EventType::Release);
+    EXPECT_EQ(events[2].type, EventType::Impact);
+    EXPECT_EQ(events[2].other, wall);
+    EXPECT_EQ(events[1].time, events[2].time) << "the one that waited takes over at once";
+    EXPECT_LT(glm::length(world.velocity(body) - Vec3(-6.0, 6.0, 0.0)), 1e-9) << "r = 1 goes back";
+}
+
+TEST(Corner, WhatIsNoLongerApproachedIsDropped) {
+    World world = worldWithFloor({0, 0, 0});
+    (void)valueOf(world.addObstacle(ObstacleDef::plane({-1, 0, 0}, 0.0)));
+    // Its bulge on the floor touches the wall, which it flies along.
+    const BodyId body = valueOf(world.addBody(ball(0.8, {-0.52, 3.0, 0.0}, {0.0, -8.0, 0.0})));
+    bool waited = false;
+    std::vector<Event> events;
+    for (int i = 0; i < 120; ++i) {
+        world.step(1.0 / 60.0);
+        waited =
+            waited || (!world.phase(body).clear_of.empty() && std::holds_alternative<Impact>(world.phase(body).motion));
+        events.insert(events.end(), world.events().begin(), world.events().end());
+    }
+    EXPECT_TRUE(waited);
+    EXPECT_EQ(countOf(events, EventType::Impact), 1);
+    EXPECT_EQ(countOf(events, EventType::Release), 1);
+}
+
+/// A room of six planes, aslant, with a few solids: bodies go from corner to corner.
+struct Room {
+    World world = worldWith();
+    std::vector<ObstacleId> obstacles;
+    std::vector<ShapePtr> shapes;
+};
+
+void addRoom(Room& room, Random& random, bool solids) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            Vec3 normal(0.0);
+            normal[axis] = -side;
+            normal = glm::normalize(normal + random.inBox(0.35));
+            room.obstacles.push_back(valueOf(room.world.addObstacle(ObstacleDef::plane(normal, -2.0))));
+            room.shapes.push_back(nullptr);
+        }
+    }
+    for (int i = 0; solids && i < 3; ++i) {
+        ObstacleDef def;
+        def.shape = i == 0   ? valueOf(Shape::box({0.8, 0.6, 0.9}))
+                    : i == 1 ? valueOf(Shape::cylinder(0.3, 1.4, 12))
+                             : valueOf(Shape::sphere(0.4, 4));
+        def.position = random.inBox(1.2);
+        def.rotation = random.rotation();
+        room.obstacles.push_back(valueOf(room.world.addObstacle(def)));
+        room.shapes.push_back(def.shape);
+    }
+}
+
+struct Depths {
+    int impacts = 0, waits = 0, poses = 0;
+};
+
+/// Looks at every phase at 8 times, and at every change of phase.
+void look(const Room& room, const Track& track, double end_time, int run, Depths& out) {
+    const Shape& shape = *track.shape();
+    const auto& phases = track.phases();
+    for (std::size_t p = 0; p < phases.size(); ++p) {
+        const double end = p + 1 < phases.size() ? phases[p + 1].start : end_time;
+        const bool impact = std::holds_alternative<Impact>(phases[p].motion);
+        out.impacts += impact && phases[p].clear_of.empty() ? 1 : 0;
+        out.waits += impact && !phases[p].clear_of.empty() ? 1 : 0;
+        for (int k = 0; k <= 8; ++k) {
+            const double t = phases[p].start + (end - phases[p].start) * k / 8;
+            const Pose pose = poseAt(phases[p], shape, t);
+            ++out.poses;
+            for (std::size_t i = 0; i < room.obstacles.size(); ++i) {
+                const MovingFrame& frame = room.world.frame(room.obstacles[i]);
+                double gap = 0.0;
+                if (room.shapes[i]) {
+                    gap = shape.length() *
+                          separation(shape, pose, *room.shapes[i], {frame.origin, frame.orientation, 1.0});
+                } else {
+                    gap = gapTo({frame, Vec3(0.0), room.world.planeNormal(room.obstacles[i]), nullptr}, shape, pose, t);
+                }
+                ASSERT_GT(gap, -1e-5 * shape.length())
+                    << "run " << run << ", " << nameOf(phases[p]) << " at " << t << ", obstacle " << i;
+            }
+        }
+        if (p > 0) {
+            const Pose before = poseAt(phases[p - 1], shape, phases[p].start);
+            const Pose after = poseAt(phases[p], shape, phases[p].start);
+            ASSERT_LT(glm::length(before.position - after.position), 1e-6 * shape.length())
+                << "run " << run << ", " << nameOf(phases[p - 1]) << " to " << nameOf(phases[p]) << " at "
+                << phases[p].start;
+            ASSERT_NEAR(before.stretch, after.stretch, 1e-6) << run;
+            ASSERT_LT(angleBetween(before.orientation, after.orientation), 1e-6) << run;
+        }
+    }
+}
+
+TEST(Corner, RandomRoomsHoldTheirBounds) {
+    Random random(43);
+    const ShapePtr bodies[] = {valueOf(Shape::sphere(0.3, 4)), valueOf(Shape::cylinder(0.15, 0.8, 12)),
+                               valueOf(Shape::box({0.3, 0.6, 0.5})), valueOf(Shape::cone(0.3, 0.6, 12)),
+                               valueOf(Shape::capsule(0.15, 0.9, 8))};
+    Depths depths;
+    for (int i = 0; i < 100 * soak(); ++i) {
+        Room room;
+        addRoom(room, random, i % 2 == 1);
+        BodyDef def;
+        def.shape = bodies[i % 5];
+        def.style.restitution = random.uniform(0.2, 1.0);
+        def.style.max_stretch = random.uniform(1.1, 2.5);
+        def.style.min_squash = random.uniform(0.3, 0.9);
+        def.position = random.inBox(0.9);
+        def.velocity = random.inBox(8.0);
+        if (room.world.overlapOf(def)) {
+            continue;
+        }
+        (void)valueOf(room.world.addBody(def));
+        Timeline timeline;
+        timeline.begin(room.world);
+        for (int k = 0; k < 240; ++k) {
+            room.world.step(1.0 / 60.0);
+            timeline.capture(room.world);
+        }
+        ASSERT_NO_FATAL_FAILURE(look(room, timeline.tracks()[0], room.world.time(), i, depths));
+    }
+    EXPECT_GT(depths.impacts, 300);
+    EXPECT_GT(depths.waits, 100) << "corners were hit";
+}
+
+} // namespace
+} // namespace elastoon
