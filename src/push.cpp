@@ -130,7 +130,8 @@ bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose) {
         if (primary != nullptr && primary->solid && lift <= 0.0) {
             Pose in_frame{primary->frame.frameFromWorld(t, pose.position),
                           glm::conjugate(primary->frame.orientationAt(t)) * pose.orientation, pose.stretch};
-            pose.position += normal * liftToTouch(*primary, shape, in_frame);
+            // Down again by no more than it went along: beyond the solid's end there is nothing to stand on.
+            pose.position += normal * std::max(liftToTouch(*primary, shape, in_frame), -glm::length(*shift));
         }
     }
     // What is left after so many rounds is far below what shows.
