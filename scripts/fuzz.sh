@@ -13,7 +13,7 @@ esac
 out=build/fuzz
 mkdir -p "$out/findings" "$out/objects"
 flags=(-std=c++20 -O1 -g1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=address,undefined
-  -fno-sanitize-recover=all -Wno-deprecated-declarations -Iinclude -Isrc)
+  -fno-sanitize-recover=all -Wno-deprecated-declarations -Iinclude -Isrc -Itests)
 ccache=$(command -v ccache || true)
 
 objects=()
