@@ -198,20 +198,6 @@ void judge(const Closest& closest, const PosedShape& a, const PosedShape& b, dou
     }
 }
 
-/// Three volumes by the surface: about the radius of the ball within.
-double thicknessOf(const PosedShape& body) {
-    double area = 0.0;
-    const auto vertices = body.shape->vertices();
-    for (std::size_t face = 0; face < body.shape->faceCount(); ++face) {
-        const auto loop = body.shape->face(face);
-        for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-            area += 0.5 * glm::length(glm::cross(body.linear * (vertices[loop[i]] - vertices[loop[0]]),
-                                                 body.linear * (vertices[loop[i + 1]] - vertices[loop[0]])));
-        }
-    }
-    return 3.0 * body.shape->volume() * glm::determinant(body.linear) / area;
-}
-
 bool isWithinReason(const PosedShape& a, const PosedShape& b) {
     return sizeOf(a, b) <= kMostUnequal * std::min(thicknessOf(a), thicknessOf(b));
 }

@@ -48,7 +48,8 @@ inline double gapAcross(const PosedShape& a, const PosedShape& b, const Vec3& no
     return glm::dot(normal, a.position - b.position) - reachOf(a, -normal) - reachOf(b, normal);
 }
 
-inline Vec3 faceNormal(const PosedShape& body, std::size_t face) {
+/// Across the posed face, outward, as long as twice its area.
+inline Vec3 areaOf(const PosedShape& body, std::size_t face) {
     const auto loop = body.shape->face(face);
     const auto vertices = body.shape->vertices();
     Vec3 sum(0.0);
@@ -56,15 +57,40 @@ inline Vec3 faceNormal(const PosedShape& body, std::size_t face) {
         sum += glm::cross(body.linear * (vertices[loop[i]] - vertices[loop[0]]),
                           body.linear * (vertices[loop[i + 1]] - vertices[loop[0]]));
     }
-    return glm::normalize(sum);
+    return sum;
 }
 
-/// How far the point is outside the body's furthest face plane; negative inside.
+inline Vec3 faceNormal(const PosedShape& body, std::size_t face) {
+    return glm::normalize(areaOf(body, face));
+}
+
+/// Three volumes by the surface: about the radius of the ball within.
+inline double thicknessOf(const PosedShape& body) {
+    double area = 0.0;
+    for (std::size_t face = 0; face < body.shape->faceCount(); ++face) {
+        area += 0.5 * glm::length(areaOf(body, face));
+    }
+    return 3.0 * body.shape->volume() * glm::determinant(body.linear) / area;
+}
+
+/// How far the point is outside the body's furthest face plane; negative inside. The planes of slivers are left out:
+/// hulls are convex to 1e-11 of the thickness, and far from a sliver its plane makes much of that.
 inline double outside(const PosedShape& body, const Vec3& point) {
+    const double narrow = 1e-2 * thicknessOf(body);
+    const auto vertices = body.shape->vertices();
     double most = -std::numeric_limits<double>::infinity();
     for (std::size_t face = 0; face < body.shape->faceCount(); ++face) {
-        const Vec3 corner = body.linear * body.shape->vertices()[body.shape->face(face)[0]];
-        most = std::max(most, glm::dot(faceNormal(body, face), (point - body.position) - corner));
+        const auto loop = body.shape->face(face);
+        const Vec3 area = areaOf(body, face);
+        const double length = glm::length(area);
+        double longest = 0.0;
+        for (const std::uint32_t corner : loop) {
+            longest = std::max(longest, glm::length(body.linear * (vertices[corner] - vertices[loop[0]])));
+        }
+        if (length > narrow * longest) {
+            const Vec3 corner = body.linear * vertices[loop[0]];
+            most = std::max(most, glm::dot(area / length, (point - body.position) - corner));
+        }
     }
     return most;
 }
