@@ -397,7 +397,9 @@ bool Gjk::run() {
             return false;
         }
         level_steps = nearest.squared < least ? 0 : level_steps + 1;
-        if (!(nearest.squared <= least * (1.0 + kLevel)) || level_steps > kMaxLevelSteps) {
+        // A distance has the rounding of the points, which its square has magnified where it is short.
+        if (!(nearest.squared <= least * (1.0 + kLevel) + touching * std::sqrt(least)) ||
+            level_steps > kMaxLevelSteps) {
             --count_;
             return true;
         }

@@ -146,6 +146,27 @@ TEST(Gjk, NoSeedMisleads) {
     EXPECT_GT(tally.near, tally.cases / 5);
 }
 
+/// The nearest points are on a diameter of the cap, and a third corner is nearer by less than the distance's rounding.
+TEST(Gjk, TipOverTheMiddleOfACap) {
+    Random random(12);
+    Tally tally;
+    const ShapePtr can = valueOf(Shape::cylinder(0.5, 1.0, 32));
+    const ShapePtr cone = valueOf(Shape::cone(0.5, 1.0, 12));
+    for (int i = 0; i < 2000 * soak(); ++i) {
+        Bodies pair{posed(cone, random.rotation(), 1.0, Vec3(0.0)), posed(can, random.rotation(), 1.0, Vec3(0.0))};
+        const Vec3 axis = pair.b.linear[0];
+        const auto tip = static_cast<std::uint32_t>(cone->supportVertex({1, 0, 0}));
+        const double height = std::pow(10.0, random.uniform(-5, -2));
+        pair.a.linear = glm::mat3_cast(glm::angleAxis(random.uniform(-0.3, 0.3), pair.b.linear[1])) *
+                        Mat3(-pair.b.linear[0], -pair.b.linear[1], pair.b.linear[2]);
+        pair.a.position = axis * (0.5 + height) + random.inBox(1e-11) - pair.a.linear * cone->vertices()[tip];
+        ClosestSeed cold;
+        prove(pair, cold, kTolerance, tally);
+    }
+    EXPECT_EQ(tally.flaws, 0) << "of " << tally.cases;
+    EXPECT_EQ(tally.near, tally.cases);
+}
+
 TEST(Gjk, FeaturesHoldThePoints) {
     const ShapePtr box = solids().small[0];
     const PosedShape floor = posed(box, kNoRotation, 1.0, {0.0, -0.5, 0.0});
