@@ -35,6 +35,9 @@ struct Topology {
 
     /// Every edge has two faces and the whole is one closed surface. Walks over the surface need it.
     bool closed = false;
+    /// Climbing ends at the top. Not so where hulls are convex only to within their play, and edges so short that the
+    /// play tilts them.
+    bool climbable = false;
 
     [[nodiscard]] std::span<const std::uint32_t> edgesOfVertex(std::uint32_t vertex) const {
         return {vertex_edges.data() + vertex_begin[vertex], vertex_edges.data() + vertex_begin[vertex + 1]};

@@ -69,13 +69,13 @@ void append(std::string& bytes, const std::vector<T>& items) {
 }
 
 template <class T>
-bool take(std::string_view& bytes, std::vector<T>& items) {
+bool take(std::span<const char>& bytes, std::vector<T>& items) {
     std::uint64_t count = 0;
     if (bytes.size() < sizeof count) {
         return false;
     }
     std::memcpy(&count, bytes.data(), sizeof count);
-    bytes.remove_prefix(sizeof count);
+    bytes = bytes.subspan(sizeof count);
     if (count > bytes.size() / sizeof(T)) {
         return false;
     }
@@ -83,7 +83,7 @@ bool take(std::string_view& bytes, std::vector<T>& items) {
     if (count > 0) {
         std::memcpy(items.data(), bytes.data(), count * sizeof(T));
     }
-    bytes.remove_prefix(count * sizeof(T));
+    bytes = bytes.subspan(count * sizeof(T));
     return true;
 }
 
@@ -228,7 +228,7 @@ std::string packed(const TriangleMesh& mesh) {
 
 Result<TriangleMesh> unpacked(const std::string& bytes) {
     TriangleMesh mesh;
-    std::string_view left = bytes;
+    std::span<const char> left = bytes;
     if (!take(left, mesh.points) || !take(left, mesh.triangles) || !left.empty()) {
         return Error{"the mesh file is damaged", ""};
     }
