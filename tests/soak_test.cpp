@@ -122,7 +122,8 @@ Scene solidScene(Random& random, int world) {
         solid.def.shape =
             large ? cast().solids[static_cast<std::size_t>(random.below(2))] : anyOf(random, cast().solids);
         const double spacing = kCorners ? 2.0 : kApart;
-        solid.def.position = {spacing * (i % 4), 0.0, spacing * (i / 4)};
+        const int row = i / 4;
+        solid.def.position = {spacing * (i % 4), 0.0, spacing * row};
         solid.def.rotation = random.below(3) == 0 ? kNoRotation : random.rotation();
         setInMotion(random, solid.def, 0.5, 0.5);
         Vec3 way = random.direction();

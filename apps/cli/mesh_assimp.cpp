@@ -3,7 +3,6 @@
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
-#include <assimp/scene.h>
 
 namespace elastoon {
 

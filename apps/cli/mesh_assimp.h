@@ -3,7 +3,7 @@
 
 #include "mesh_file.h"
 
-struct aiScene;
+#include <assimp/scene.h>
 
 namespace elastoon {
 
