@@ -1,21 +1,13 @@
 // libFuzzer target: bytes as a scene file; what is read can be staged and stepped, and all poses stay finite.
 // scripts/fuzz.sh runs it.
+#include "bytes.h"
 #include "elastoon/scene.h"
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 namespace {
-
-void demand(bool condition, const char* what) {
-    if (!condition) {
-        std::fprintf(stderr, "scene_fuzz: %s\n", what);
-        std::abort();
-    }
-}
 
 bool isFinite(const elastoon::Pose& pose) {
     const elastoon::Quat& q = pose.orientation;
@@ -28,7 +20,7 @@ bool isFinite(const elastoon::Pose& pose) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto scene = elastoon::parseScene(std::string_view(reinterpret_cast<const char*>(data), size));
     if (!scene) {
-        demand(!scene.error().message.empty(), "an error without a message");
+        elastoon::demand(!scene.error().message.empty(), "an error without a message");
         return 0;
     }
     // Large scenes are no finding, only slow.
@@ -36,12 +28,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     auto staged = elastoon::stage(scene.value());
-    demand(staged.ok(), "a scene that was read cannot be staged");
+    elastoon::demand(staged.ok(), "a scene that was read cannot be staged");
     elastoon::World& world = staged.value().world;
     for (const double dt : {0.01, 0.1, 0.0, 1.0 / 60.0, 0.5}) {
         world.step(dt);
         for (const elastoon::BodyId body : staged.value().bodies) {
-            demand(isFinite(world.pose(body)), "a pose that is not finite");
+            elastoon::demand(isFinite(world.pose(body)), "a pose that is not finite");
         }
     }
     return 0;

@@ -19,6 +19,8 @@ constexpr double kVanishing = 1e-6;
 /// Squared distances this close, relatively, are the same; so many steps in a row may bring no more than that.
 constexpr double kLevel = 8.0 * kRounding;
 constexpr int kMaxLevelSteps = 16;
+/// Times the scale squared: where the distance times what planes fall short of it is more, that is not rounding.
+constexpr double kMisled = 1e-12;
 
 /// A vertex of each body, from its own body's position; their difference is a point of the Minkowski difference.
 struct Pair {
@@ -63,6 +65,10 @@ public:
     [[nodiscard]] std::array<Feature, 2> features() const;
     [[nodiscard]] Vec3 middle() const;
     [[nodiscard]] bool separating() const { return short_by_ <= kShort * scale_ || distance() > kVanishing * scale_; }
+    /// What it ended at proves too little for the simplex to be right.
+    [[nodiscard]] bool misled() const {
+        return short_by_ > kVanishing * scale_ || short_by_ * distance() > kMisled * scale_ * scale_;
+    }
     /// Makes the direction one of planes that part the bodies, and gives how far apart those are.
     double partAgain();
     [[nodiscard]] double gapAcross(const Vec3& direction) const {
@@ -395,7 +401,9 @@ bool Gjk::run() {
             return false;
         }
         level_steps = nearest.squared < least ? 0 : level_steps + 1;
-        if (!(nearest.squared <= least * (1.0 + kLevel)) || level_steps > kMaxLevelSteps) {
+        // A distance has the rounding of the points, which its square has magnified where it is short.
+        if (!(nearest.squared <= least * (1.0 + kLevel) + touching * std::sqrt(least)) ||
+            level_steps > kMaxLevelSteps) {
             --count_;
             return true;
         }
@@ -521,7 +529,12 @@ Vec3 Gjk::middle() const {
 Closest gjkClosest(const PosedShape& a, const PosedShape& b, ClosestSeed& seed) {
     Gjk gjk(a, b);
     gjk.seedWith(seed);
-    const bool apart = gjk.run();
+    bool apart = gjk.run();
+    if (apart && seed.pair_count > 0 && gjk.misled()) {
+        // Flat to within rounding in this pose, a simplex has a normal and weights of noise.
+        gjk.seedWith({});
+        apart = gjk.run();
+    }
     gjk.keepIn(seed);
     return gjk.result(apart);
 }

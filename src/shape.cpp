@@ -198,7 +198,7 @@ Result<ShapePtr> Shape::fromPoints(ShapeKind kind, std::vector<Vec3> points, dou
     shape->face_begin_ = std::move(polytope.face_begin);
     shape->topology_ =
         std::make_shared<const Topology>(topologyOf(shape->vertices_, shape->face_vertices_, shape->face_begin_));
-    const bool climbs = shape->topology_->closed && shape->vertices_.size() > kFewVertices;
+    const bool climbs = shape->topology_->climbable && shape->vertices_.size() > kFewVertices;
     shape->climb_starts_ =
         std::make_shared<const ClimbStarts>(climbs ? ClimbStarts(shape->vertices_, *shape->topology_) : ClimbStarts());
     return ShapePtr(shape);

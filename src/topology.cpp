@@ -66,6 +66,33 @@ void linkVertices(Topology& topology, std::size_t vertex_count) {
     }
 }
 
+/// Whether no edge bends inwards by more than rounding, or none is short.
+bool isClimbable(const Topology& topology, std::span<const Vec3> vertices, std::span<const std::uint32_t> face_vertices,
+                 std::span<const std::uint32_t> face_begin) {
+    constexpr double kShortEdge = 1e-3;
+    constexpr double kRounding = 1e-14;
+    double size = 0.0;
+    for (const Vec3& vertex : vertices) {
+        size = std::max(size, glm::length(vertex));
+    }
+    double shortest = size;
+    for (const Topology::Edge& edge : topology.edges) {
+        shortest = std::min(shortest, glm::length(vertices[edge.head] - vertices[edge.tail]));
+    }
+    if (shortest >= kShortEdge * size) {
+        return true;
+    }
+    for (const Topology::Edge& edge : topology.edges) {
+        for (std::uint32_t i = face_begin[edge.right]; i < face_begin[edge.right + 1]; ++i) {
+            const Vec3 from_edge = vertices[face_vertices[i]] - vertices[edge.tail];
+            if (glm::dot(topology.face_normals[edge.left], from_edge) > kRounding * size) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 Topology topologyOf(std::span<const Vec3> vertices, std::span<const std::uint32_t> face_vertices,
@@ -101,6 +128,7 @@ Topology topologyOf(std::span<const Vec3> vertices, std::span<const std::uint32_
             normalOf(vertices, face_vertices.subspan(face_begin[face], face_begin[face + 1] - face_begin[face])));
     }
     topology.closed = topology.closed && vertices.size() + topology.face_normals.size() == topology.edges.size() + 2;
+    topology.climbable = topology.closed && isClimbable(topology, vertices, face_vertices, face_begin);
     return topology;
 }
 

@@ -38,6 +38,9 @@ struct Topology {
 
     /// Every edge has two faces and the whole is one closed surface. Walks over the surface need it.
     bool closed = false;
+    /// Climbing ends at the top. Not so where hulls are convex only to within their play, and edges so short that the
+    /// play tilts them.
+    bool climbable = false;
 
     [[nodiscard]] std::span<const std::uint32_t> edgesOfVertex(std::uint32_t vertex) const {
         return {vertex_edges.data() + vertex_begin[vertex], vertex_edges.data() + vertex_begin[vertex + 1]};
@@ -79,7 +82,7 @@ private:
 inline std::uint32_t climb(std::span<const Vec3> vertices, const Topology& topology, const Vec3& direction,
                            std::uint32_t start) {
     std::uint32_t best = start;
-    if (!topology.closed) {
+    if (!topology.climbable) {
         for (std::uint32_t i = 0; i < vertices.size(); ++i) {
             best = glm::dot(direction, vertices[i] - vertices[best]) > 0.0 ? i : best;
         }

@@ -1,7 +1,7 @@
 // Seeded pairs of posed solids that break closest-point methods, and what is true of them by other means.
 #pragma once
 
-#include "closest.h"
+#include "closest_judge.h"
 #include "test_support.h"
 
 #include <algorithm>
@@ -17,84 +17,6 @@ namespace elastoon {
 inline int soak() {
     const char* text = std::getenv("ELASTOON_SOAK");
     return text != nullptr ? std::max(1, std::atoi(text)) : 1;
-}
-
-inline PosedShape posed(const ShapePtr& shape, const Quat& rotation, double stretch, const Vec3& position) {
-    return {shape.get(), linearOf({position, rotation, stretch}), position};
-}
-
-inline Vec3 worldOf(const PosedShape& body, const Vec3& point) {
-    return body.position + body.linear * point;
-}
-
-/// Longest half axis of the posed body, about.
-inline double sizeOf(const PosedShape& body) {
-    double size = 0.0;
-    for (const Vec3& vertex : body.shape->vertices()) {
-        size = std::max(size, glm::length(body.linear * vertex));
-    }
-    return size;
-}
-
-inline double sizeOf(const PosedShape& a, const PosedShape& b) {
-    return std::max(sizeOf(a), sizeOf(b));
-}
-
-/// Furthest along the direction, from the body's own position; over all vertices.
-inline double reachOf(const PosedShape& body, const Vec3& direction) {
-    double reach = -std::numeric_limits<double>::infinity();
-    for (const Vec3& vertex : body.shape->vertices()) {
-        reach = std::max(reach, glm::dot(direction, body.linear * vertex));
-    }
-    return reach;
-}
-
-/// Gap of the bodies between planes across the normal (unit, from b towards a).
-inline double gapAcross(const PosedShape& a, const PosedShape& b, const Vec3& normal) {
-    return glm::dot(normal, a.position - b.position) - reachOf(a, -normal) - reachOf(b, normal);
-}
-
-inline Vec3 faceNormal(const PosedShape& body, std::size_t face) {
-    const auto loop = body.shape->face(face);
-    const auto vertices = body.shape->vertices();
-    Vec3 sum(0.0);
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-        sum += glm::cross(body.linear * (vertices[loop[i]] - vertices[loop[0]]),
-                          body.linear * (vertices[loop[i + 1]] - vertices[loop[0]]));
-    }
-    return glm::normalize(sum);
-}
-
-/// How far the point is outside the body's furthest face plane; negative inside.
-inline double outside(const PosedShape& body, const Vec3& point) {
-    double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t face = 0; face < body.shape->faceCount(); ++face) {
-        const Vec3 corner = body.linear * body.shape->vertices()[body.shape->face(face)[0]];
-        most = std::max(most, glm::dot(faceNormal(body, face), (point - body.position) - corner));
-    }
-    return most;
-}
-
-/// Whether the answer proves itself: the points are of the bodies and as far apart as two parallel planes between the
-/// bodies are; or the witness is in both. What is wrong, or empty.
-inline std::string flawOf(const Closest& closest, const PosedShape& a, const PosedShape& b, double tolerance) {
-    if (closest.overlap) {
-        const double out = std::max(outside(a, closest.witness), outside(b, closest.witness));
-        return out <= tolerance ? "" : "witness is outside by " + std::to_string(out);
-    }
-    if (std::fabs(glm::length(closest.normal) - 1.0) > 1e-12) {
-        return "normal is not unit";
-    }
-    const double off = std::max(outside(a, closest.point_a), outside(b, closest.point_b));
-    if (off > tolerance) {
-        return "a point is off its body by " + std::to_string(off);
-    }
-    const double between = glm::length(closest.point_a - closest.point_b);
-    if (std::fabs(between - closest.distance) > tolerance) {
-        return "the points are not at the distance";
-    }
-    const double short_by = closest.distance - gapAcross(a, b, closest.normal);
-    return std::fabs(short_by) <= tolerance ? "" : "no planes prove the distance: short by " + std::to_string(short_by);
 }
 
 struct Solids {
@@ -154,19 +76,6 @@ inline Bodies randomPair(Random& random, const std::vector<ShapePtr>& shapes) {
                 posed(anyOf(random, shapes), random.rotation(), anyStretch(random), random.inBox(5.0))};
     pair.a.position = besides(random, pair.a, pair.b, 0.2, 1.2);
     return pair;
-}
-
-/// One of the 24 rotations of the cube, as a matrix of exact numbers.
-inline Mat3 latticeRotation(int index) {
-    constexpr std::array<std::array<int, 3>, 6> kOrders{
-        {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
-    const auto& order = kOrders[static_cast<std::size_t>(index / 4)];
-    Mat3 turned(0.0);
-    turned[order[0]][0] = index % 2 == 0 ? 1.0 : -1.0;
-    turned[order[1]][1] = index / 2 % 2 == 0 ? 1.0 : -1.0;
-    turned[order[2]][2] = 1.0;
-    turned[order[2]][2] = glm::determinant(turned);
-    return turned;
 }
 
 /// Faces and edges exactly parallel: rotations of the cube, positions in quarters, stretches 1/4, 1 and 4.

@@ -82,6 +82,91 @@ TEST(Gjk, WarmStartsGiveTheSame) {
     EXPECT_GT(tally.near, tally.cases / 5);
 }
 
+std::uint32_t vertexAt(const PosedShape& body, const Vec3& place) {
+    std::uint32_t best = 0;
+    for (std::uint32_t i = 0; i < body.shape->vertices().size(); ++i) {
+        const auto distance = [&](std::uint32_t v) {
+            return glm::length(worldOf(body, body.shape->vertices()[v]) - place);
+        };
+        best = distance(i) < distance(best) ? i : best;
+    }
+    return best;
+}
+
+ClosestSeed anySeed(Random& random, const Bodies& pair) {
+    const auto anyVertex = [&](const PosedShape& body) {
+        return static_cast<std::uint32_t>(random.below(static_cast<int>(body.shape->vertices().size())));
+    };
+    ClosestSeed seed;
+    seed.pair_count = static_cast<std::uint8_t>(1 + random.below(4));
+    for (std::size_t k = 0; k < seed.pair_count; ++k) {
+        seed.pairs_a[k] = anyVertex(pair.a);
+        seed.pairs_b[k] = anyVertex(pair.b);
+    }
+    return seed;
+}
+
+/// Pairs that have nothing to do with the pose: the simplex may be flat there, or one point several times.
+TEST(Gjk, NoSeedMisleads) {
+    Random random(11);
+    Tally tally;
+    for (int i = 0; i < 10000 * soak(); ++i) {
+        Bodies pair = turnedLatticePair(random, solids().small);
+        ClosestSeed seed = anySeed(random, pair);
+        if (i % 4 == 1) {
+            // A small box amid a large one: three pairs that are nearly on a line, nearly through the origin.
+            pair.a.shape = pair.b.shape = solids().small[0].get();
+            pair.a.linear = latticeRotation(random.below(24));
+            const Vec3 scale = random.uniform(1e-4, 1e-2) * scaleOf(anyStretch(random));
+            pair.b.linear = pair.a.linear * Mat3(scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z);
+            pair.a.position = pair.b.position;
+            const std::uint32_t k = seed.pairs_a[0];
+            seed.pair_count = 3;
+            seed.pairs_a = {k, 7 - k, 7 - k, 0};
+            seed.pairs_b = {k, k, 7 - k, 0};
+        }
+        if (i % 4 == 0) {
+            // Boxes in one place: three pairs on a line through the origin, but for rounding.
+            pair.a.shape = pair.b.shape = solids().small[0].get();
+            pair.b.linear = glm::mat3_cast(random.rotation());
+            pair.a.linear = pair.b.linear * latticeRotation(random.below(24));
+            pair.a.position = pair.b.position;
+            const auto onB = [&](std::uint32_t vertex) {
+                return vertexAt(pair.b, worldOf(pair.a, pair.a.shape->vertices()[vertex]));
+            };
+            seed.pair_count = 3;
+            seed.pairs_a[1] = 7 - seed.pairs_a[0];
+            seed.pairs_a[2] = seed.pairs_a[0];
+            seed.pairs_b = {onB(seed.pairs_a[1]), onB(seed.pairs_a[0]), onB(seed.pairs_a[0]), 0};
+        }
+        prove(pair, seed, kTolerance, tally);
+    }
+    EXPECT_EQ(tally.flaws, 0) << "of " << tally.cases;
+    EXPECT_GT(tally.overlaps, tally.cases / 5);
+    EXPECT_GT(tally.near, tally.cases / 5);
+}
+
+/// The nearest points are on a diameter of the cap, and a third corner is nearer by less than the distance's rounding.
+TEST(Gjk, TipOverTheMiddleOfACap) {
+    Random random(12);
+    Tally tally;
+    const ShapePtr can = valueOf(Shape::cylinder(0.5, 1.0, 32));
+    const ShapePtr cone = valueOf(Shape::cone(0.5, 1.0, 12));
+    for (int i = 0; i < 2000 * soak(); ++i) {
+        Bodies pair{posed(cone, random.rotation(), 1.0, Vec3(0.0)), posed(can, random.rotation(), 1.0, Vec3(0.0))};
+        const Vec3 axis = pair.b.linear[0];
+        const auto tip = static_cast<std::uint32_t>(cone->supportVertex({1, 0, 0}));
+        const double height = std::pow(10.0, random.uniform(-5, -2));
+        pair.a.linear = glm::mat3_cast(glm::angleAxis(random.uniform(-0.3, 0.3), pair.b.linear[1])) *
+                        Mat3(-pair.b.linear[0], -pair.b.linear[1], pair.b.linear[2]);
+        pair.a.position = axis * (0.5 + height) + random.inBox(1e-11) - pair.a.linear * cone->vertices()[tip];
+        ClosestSeed cold;
+        prove(pair, cold, kTolerance, tally);
+    }
+    EXPECT_EQ(tally.flaws, 0) << "of " << tally.cases;
+    EXPECT_EQ(tally.near, tally.cases);
+}
+
 TEST(Gjk, FeaturesHoldThePoints) {
     const ShapePtr box = solids().small[0];
     const PosedShape floor = posed(box, kNoRotation, 1.0, {0.0, -0.5, 0.0});

@@ -1,4 +1,5 @@
 // The program as users run it: exit codes, messages, hashes, files that appear whole or not at all.
+#include "mesh_support.h"
 #include "test_support.h"
 
 #include <csignal>
@@ -211,6 +212,26 @@ TEST_F(Program, MeshFilesBecomeTheirHulls) {
         "obstacles": [{"type": "plane", "normal": [0, 1, 0]}]})");
     const Ran ran = run("check " + scene);
     EXPECT_EQ(ran.code, 0) << ran.output;
+}
+
+TEST_F(Program, MeshNotesGoToStandardErrorAlone) {
+    write("ell.obj", asObj(ellPrism()));
+    const std::string scene = write("s.json", R"({"elastoon": 1, "duration": 0.1,
+        "shapes": {"ball": {"type": "sphere", "radius": 1}, "rock": {"type": "mesh", "file": "ell.obj"}},
+        "bodies": [{"shape": "rock", "position": [0, 3, 0]}]})");
+    const std::string note = "rock: convex hull of ell.obj adds 16.7 % of volume (3 -> 3.5 m³)";
+    for (const char* command : {"simulate ", "check "}) {
+        const Ran both = run(command + scene);
+        EXPECT_EQ(both.code, 0) << both.output;
+        EXPECT_NE(both.output.find(note), std::string::npos) << both.output;
+        std::string apart = command + scene;
+        apart += " 2> " + path("errors") + "; true";
+        EXPECT_EQ(run(apart).output.find("rock"), std::string::npos);
+        std::string line;
+        std::ifstream errors(path("errors"));
+        std::getline(errors, line);
+        EXPECT_EQ(line, note);
+    }
 }
 
 } // namespace

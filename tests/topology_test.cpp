@@ -86,6 +86,33 @@ TEST(Topology, ClimbReachesTheFurthestVertexFromEveryStart) {
     }
 }
 
+TEST(Topology, OurOwnShapesAreClimbed) {
+    for (const ShapePtr& shape :
+         {valueOf(Shape::sphere(0.5, 64)), valueOf(Shape::cylinder(0.5, 1.0, 256)), valueOf(Shape::cone(1.0, 0.1, 256)),
+          valueOf(Shape::capsule(0.01, 10.0, 64)), valueOf(Shape::box({1.0, 1e-6, 1e-6}))}) {
+        EXPECT_TRUE(shape->topology().climbable) << nameOf(shape->kind());
+    }
+}
+
+/// Two corners 5e-11 apart, where the hull is convex to 1e-11 only: climbing would stop on the wrong one.
+TEST(Topology, TheFurthestVertexIsFoundPastCornersNextToEachOther) {
+    const std::vector<Vec3> points{{9 + 3e-11, 1, 10}, {0, 3e-11, 0}, {0, 0, 2},     {5, 0, 1.0 / 3.0}, {2, 5, 0},
+                                   {1, 44, 5},         {1, 0, 2},     {4e-11, 0, 0}, {0, 9, 9},         {3, 1, 0}};
+    const ShapePtr shape = valueOf(Shape::hull(points));
+    EXPECT_TRUE(shape->topology().closed);
+    EXPECT_FALSE(shape->topology().climbable);
+    const auto vertices = shape->vertices();
+    Random random(5);
+    for (int i = 0; i < 3000; ++i) {
+        const Vec3 direction = random.direction();
+        const double top = glm::dot(direction, vertices[shape->supportVertex(direction)]);
+        for (std::uint32_t start = 0; start < vertices.size(); ++start) {
+            const std::uint32_t found = climb(vertices, shape->topology(), direction, start);
+            EXPECT_NEAR(glm::dot(direction, vertices[found]), top, 1e-9);
+        }
+    }
+}
+
 TEST(Topology, AnOpenSurfaceIsToldAndClimbedByLookingEverywhere) {
     const ShapePtr box = solids().small[0];
     std::vector<std::uint32_t> loops;

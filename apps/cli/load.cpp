@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 namespace elastoon {
 
@@ -30,7 +32,26 @@ CLI::Validator between(double least, double most) {
 }
 
 Scene loadScene(const std::string& file) {
-    return orFail(readScene(file, readMeshPoints), kExitBadUse);
+    std::vector<TriangleMesh> meshes;
+    const auto readPoints = [&](const std::string& path) -> Result<std::vector<Vec3>> {
+        auto mesh = readMesh(path);
+        if (!mesh) {
+            return mesh.error();
+        }
+        meshes.push_back(std::move(mesh).value());
+        return meshes.back().points;
+    };
+    Scene scene = orFail(readScene(file, readPoints), kExitBadUse);
+    // The meshes were read in the order of the shapes.
+    std::size_t next = 0;
+    for (const SceneShape& shape : scene.shapes) {
+        if (!shape.mesh_file.empty()) {
+            const std::string note = hullNote(shape.name, shape.mesh_file, meshes[next], shape.shape->volume());
+            fmt::print(stderr, "{}{}", note, note.empty() ? "" : "\n");
+            ++next;
+        }
+    }
+    return scene;
 }
 
 Performance perform(const Scene& scene, double duration) {
