@@ -95,17 +95,31 @@ Flight beginFlight(const Pose& pose, const Vec3& velocity, const Vec3& gravity, 
     return flight;
 }
 
-void easeFrom(Flight& flight, const Pose& pose, double span) {
-    const Pose own = unpushedPose(flight, 0.0);
-    const Quat turn = unitOf(pose.orientation) * glm::conjugate(own.orientation);
+Ease easeBetween(const Pose& from, const Pose& to, double span) {
+    const Quat turn = unitOf(from.orientation) * glm::conjugate(to.orientation);
     const double sine = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
-    flight.ease.span = span;
-    flight.ease.stretch = pose.stretch - own.stretch;
+    Ease ease;
+    ease.span = span;
+    ease.stretch = from.stretch - to.stretch;
     if (sine > 0.0) {
         const double sign = turn.w < 0.0 ? -1.0 : 1.0;
-        flight.ease.axis = Vec3(turn.x, turn.y, turn.z) * (sign / sine);
-        flight.ease.angle = 2.0 * detAtan2(sine, std::fabs(turn.w));
+        ease.axis = Vec3(turn.x, turn.y, turn.z) * (sign / sine);
+        ease.angle = 2.0 * detAtan2(sine, std::fabs(turn.w));
     }
+    return ease;
+}
+
+void applyEase(const Ease& ease, double elapsed, Pose& pose) {
+    if (elapsed < ease.span) {
+        const double done = elapsed / ease.span;
+        const double left = 1.0 - done * done * (3.0 - 2.0 * done);
+        pose.stretch += ease.stretch * left;
+        pose.orientation = rotationAbout(ease.axis, ease.angle * left) * pose.orientation;
+    }
+}
+
+void easeFrom(Flight& flight, const Pose& pose, double span) {
+    flight.ease = easeBetween(pose, unpushedPose(flight, 0.0), span);
 }
 
 Vec3 flightVelocity(const Flight& flight, double elapsed) {
@@ -129,12 +143,7 @@ Pose unpushedPose(const Flight& flight, double elapsed) {
         const Quat turn = turnInPlane(flight, headingAt(flight, 0.0), headingAt(flight, elapsed));
         pose.orientation = turn * flight.orientation;
     }
-    if (elapsed < flight.ease.span) {
-        const double done = elapsed / flight.ease.span;
-        const double left = 1.0 - done * done * (3.0 - 2.0 * done);
-        pose.stretch += flight.ease.stretch * left;
-        pose.orientation = rotationAbout(flight.ease.axis, flight.ease.angle * left) * pose.orientation;
-    }
+    applyEase(flight.ease, elapsed, pose);
     return pose;
 }
 

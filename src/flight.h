@@ -16,6 +16,11 @@ enum class Lead : std::uint8_t {
 [[nodiscard]] Flight beginFlight(const Pose& pose, const Vec3& velocity, const Vec3& gravity, const Style& style,
                                  Lead lead);
 
+/// The ease that begins in one form (turn and stretch) and ends in the other.
+[[nodiscard]] Ease easeBetween(const Pose& from, const Pose& to, double span);
+/// Turns and stretches the pose by what is left of the ease.
+void applyEase(const Ease& ease, double elapsed, Pose& pose);
+
 /// Lets the flight begin in this pose (as to turn and stretch) and come to its own within `span` s.
 void easeFrom(Flight& flight, const Pose& pose, double span);
 

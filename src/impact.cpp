@@ -5,10 +5,12 @@
 #include "dmath.h"
 #include "flight.h"
 #include "rotation.h"
+#include "slide.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace elastoon {
 
@@ -26,6 +28,7 @@ struct Meeting {
     double normal_speed = 0.0; ///< of parting; negative when approaching
     double rest_speed = 0.0;
     bool can_hold = false;
+    bool can_skip = false; ///< there is a plane under it to skip along
 };
 
 /// v_out - w: the normal part reflected and reduced, the tangential part kept. A surface that cannot hold the body
@@ -44,25 +47,28 @@ Vec3 endAwayFrom(const Vec3& axis, const Vec3& normal) {
     return glm::dot(axis, normal) < 0.0 ? -axis : axis;
 }
 
-/// The turn about the contact, in the surface's frame, and the stretch that the coming flight begins with.
-void planTurn(Impact& impact, const Touching& touching, const Meeting& meeting, const Style& style) {
-    const double end = touching.time + impact.curve.duration();
+/// The turn about the contact that begins at time t, in the surface's frame, and the stretch that the coming flight
+/// begins with. `away`: the side of the body that swaps to the front; zero for a skip, which turns the shorter way.
+void planTurn(Impact& impact, double t, const Vec3& gravity, const Vec3& away, const Style& style) {
+    const double end = impact.begun + impact.curve.duration();
     const Quat frame_at_end = impact.surface.frame.orientationAt(end);
-    Vec3 target = meeting.normal;
-    if (impact.comes_to_rest) {
-        target = impact.surface.normal;
-    } else {
+    Vec3 target = impact.surface.normal;
+    if (!impact.comes_to_rest) {
         const Vec3 velocity = velocityAfter(impact, end);
         const Pose unturned{Vec3(0.0), frame_at_end * impact.orientation, 1.0};
-        const Flight next = beginFlight(unturned, velocity, touching.gravity, style, Lead::Nearest);
+        const Flight next = beginFlight(unturned, velocity, gravity, style, Lead::Nearest);
         const Vec3 axis = next.rule == AxisRule::Fixed ? principalAxis(unturned.orientation) : leadingAxis(next, 0.0);
-        target = endAwayFrom(glm::conjugate(frame_at_end) * axis, impact.surface.normal);
+        target = endAwayFrom(glm::conjugate(frame_at_end) * axis, away);
         impact.curve.s_out = stretchAtSpeed(style, glm::length(velocity));
     }
-    const Vec3 from = endAwayFrom(principalAxis(impact.orientation), impact.surface.normal);
+    Vec3 from = endAwayFrom(principalAxis(impact.orientation), away);
+    if (away == Vec3(0.0) && glm::dot(from, target) < 0.0) {
+        from = -from;
+    }
     const Turn turn = turnBetween(from, target, impact.surface.normal);
     impact.turn_axis = turn.axis;
     impact.turn_angle = turn.angle;
+    impact.turn_from = t > impact.begun ? turnShare(impact.curve, impact.easing, t - impact.begun) : 0.0;
 }
 
 ImpactInput curveInput(const Impact& impact, const Touching& touching, const Meeting& meeting, const Style& style,
@@ -112,6 +118,50 @@ double holdsUntil(const Surface& surface, double t, const Vec3& gravity, const S
     return t + std::max(0.0, angle) / rate;
 }
 
+namespace {
+
+/// Share 0..1 by which a grazing touch sticks as any other does: 1 from the style's grazing angle up, 0 from half of it
+/// down.
+double sticking(const Meeting& meeting, const Style& style) {
+    const double speed = glm::length(meeting.relative_velocity);
+    const double sine = speed > 0.0 ? -meeting.normal_speed / speed : 1.0;
+    const double upper = detSinCos(style.grazing_angle).sin;
+    const double lower = detSinCos(0.5 * style.grazing_angle).sin;
+    const double share = upper > lower ? std::clamp((sine - lower) / (upper - lower), 0.0, 1.0) : 1.0;
+    return share * share * (3.0 - 2.0 * share);
+}
+
+/// Curve and turn. Below the grazing angle the body skips: docs/contacts.md.
+void planImpact(Impact& impact, const Touching& touching, const Meeting& meeting, const Shape& shape,
+                const Style& style) {
+    const double sticks = impact.comes_to_rest || !meeting.can_skip ? 1.0 : sticking(meeting, style);
+    const Vec3 along = impact.velocity_in - impact.surface.normal * glm::dot(impact.velocity_in, impact.surface.normal);
+    impact.skims = along * (1.0 - sticks);
+    // Whether it turns decides whether it takes time, and on a turning surface the time decides how far it turns.
+    for (int pass = 0; pass < 2; ++pass) {
+        ImpactInput input = curveInput(impact, touching, meeting, style, shape.length());
+        impact.curve = impactCurve(style, input);
+        if (sticks < 1.0) {
+            input.speed_in = std::max(0.0, -meeting.normal_speed);
+            input.speed_out = glm::dot(impact.velocity_out, impact.surface.normal);
+            impact.curve = withTimesOf(skipCurve(style, input), impact.curve, sticks);
+        }
+        planTurn(impact, touching.time, touching.gravity, sticks < 1.0 ? Vec3(0.0) : impact.surface.normal, style);
+    }
+}
+
+/// The way (frame) from the solid's face to the centroid's foot once the body rests; zero where the face bears it.
+Vec3 overhang(const Impact& impact, const Shape& shape) {
+    const double end = impact.begun + impact.curve.duration();
+    const Vec3 center = impact.surface.frame.frameFromWorld(end, impactPose(impact, shape, end).position);
+    const Vec3 normal = impact.surface.normal;
+    const Vec3 off = wayOffFace(impact.surface, center - normal * glm::dot(center - impact.surface.point, normal));
+    constexpr double kBalanced = 1e-6;
+    return glm::dot(off, off) > kBalanced * kBalanced * shape.length() * shape.length() ? off : Vec3(0.0);
+}
+
+} // namespace
+
 std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, const Style& style) {
     const double t = touching.time;
     const MovingFrame& frame = touching.surface.frame;
@@ -124,6 +174,11 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
     meeting.rest_speed = restSpeed(style, shape.length(), glm::length(touching.gravity));
     meeting.can_hold = canHold(touching.surface, t, touching.gravity, style);
 
+    const Vec3 in_frame = frame.frameFromWorld(t, contact);
+    const Vec3 way = glm::conjugate(frame.orientationAt(t)) * meeting.relative_velocity;
+    meeting.can_skip =
+        frame.angular_velocity == Vec3(0.0) && timeOnFace(touching.surface, in_frame, way, Vec3(0.0)) > 0.0;
+
     const double slow = (meeting.can_hold ? meeting.rest_speed : 0.0) + kNoSpeed * (1.0 + meeting.rest_speed);
     if (meeting.normal_speed > slow) {
         return std::nullopt;
@@ -131,7 +186,7 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
     Impact impact;
     impact.begun = t;
     impact.surface = touching.surface;
-    impact.surface.point = frame.frameFromWorld(t, contact);
+    impact.surface.point = in_frame;
     impact.easing = style.impact_easing;
     const Quat world_from_frame = frame.orientationAt(t);
     impact.orientation = unitOf(glm::conjugate(world_from_frame) * touching.pose.orientation);
@@ -139,20 +194,63 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
                               scaleOf(touching.pose.stretch);
     const double reflected = style.restitution * std::max(0.0, -meeting.normal_speed);
     impact.comes_to_rest = meeting.can_hold && reflected < meeting.rest_speed;
+    impact.velocity_in = glm::conjugate(world_from_frame) * meeting.relative_velocity;
     impact.velocity_out =
         glm::conjugate(world_from_frame) * relativeVelocityOut(meeting, style.restitution, impact.comes_to_rest);
-
-    // Whether it turns decides whether it takes time, and on a turning surface the time decides how far it turns.
-    for (int pass = 0; pass < 2; ++pass) {
-        impact.curve = impactCurve(style, curveInput(impact, touching, meeting, style, shape.length()));
-        planTurn(impact, touching, meeting, style);
+    planImpact(impact, touching, meeting, shape, style);
+    if (impact.comes_to_rest && impact.surface.solid) {
+        if (const Vec3 off = overhang(impact, shape); off != Vec3(0.0)) {
+            // Beyond the edge nothing bears it: it tips off.
+            impact.comes_to_rest = false;
+            meeting.can_hold = false;
+            const Vec3 tips = glm::normalize(off) * meeting.rest_speed;
+            impact.velocity_out =
+                glm::conjugate(world_from_frame) * relativeVelocityOut(meeting, style.restitution, false) + tips;
+            planImpact(impact, touching, meeting, shape, style);
+        }
     }
     return impact;
 }
 
+Impact blendImpact(const Impact& impact, double t, std::span<const AlsoTouched> others, const Shape& shape,
+                   const Style& style, const Vec3& gravity) {
+    // Impulses that push and do not pull, each for its own surface (projected Gauss-Seidel); nothing depends on the
+    // order of touching.
+    std::vector<AlsoTouched> all{{impact.surface.normal, Vec3(0.0)}};
+    all.insert(all.end(), others.begin(), others.end());
+    std::vector<double> impulses(all.size(), 0.0);
+    Vec3 velocity = impact.velocity_in;
+    constexpr int kRounds = 200;
+    for (int round = 0; round < kRounds; ++round) {
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Vec3& normal = all[i].normal;
+            const double approach = glm::dot(impact.velocity_in - all[i].velocity, normal);
+            const double wanted = approach < 0.0 ? -style.restitution * approach : 0.0;
+            const double lack = wanted - glm::dot(velocity - all[i].velocity, normal);
+            const double impulse = std::max(0.0, impulses[i] + lack);
+            velocity += normal * (impulse - impulses[i]);
+            impulses[i] = impulse;
+        }
+    }
+    Impact blended = impact;
+    blended.velocity_out = velocity;
+    const Vec3 thrown = velocity - impact.velocity_in;
+    const double size = glm::length(thrown);
+    const double elapsed = t - impact.begun;
+    const double share =
+        (turnShare(impact.curve, impact.easing, elapsed) - impact.turn_from) / (1.0 - impact.turn_from);
+    blended.orientation = rotationAbout(impact.turn_axis, impact.turn_angle * share) * impact.orientation;
+    const double speed = glm::length(velocity);
+    blended.curve = withEnd(impact.curve, style, shape.length(), speed,
+                            stretchAtSpeed(style, glm::length(velocityAfter(blended, t))));
+    planTurn(blended, t, gravity, size > 0.0 ? thrown / size : impact.surface.normal, style);
+    return blended;
+}
+
 Pose impactPose(const Impact& impact, const Shape& shape, double t, double factor) {
     const double elapsed = t - impact.begun;
-    const double share = turnShare(impact.curve, impact.easing, elapsed);
+    const double share =
+        (turnShare(impact.curve, impact.easing, elapsed) - impact.turn_from) / (1.0 - impact.turn_from);
     Pose in_frame;
     in_frame.stretch = factor * impact.curve.at(elapsed);
     in_frame.orientation = rotationAbout(impact.turn_axis, impact.turn_angle * share) * impact.orientation;
@@ -160,7 +258,7 @@ Pose impactPose(const Impact& impact, const Shape& shape, double t, double facto
     // The contact's material point stays under the contact; then the body is moved along the normal until it touches.
     const Vec3 normal = impact.surface.normal;
     const Vec3 lever = in_frame.orientation * (scaleOf(in_frame.stretch) * impact.contact_in_shape);
-    in_frame.position = impact.surface.point - lever;
+    in_frame.position = impact.surface.point + impact.skims * elapsed - lever;
     in_frame.position += normal * liftToTouch(impact.surface, shape, in_frame);
 
     const MovingFrame& frame = impact.surface.frame;
@@ -181,7 +279,8 @@ Vec3 impactVelocity(const Impact& impact, const Shape& shape, double t, double e
 
 Vec3 velocityAfter(const Impact& impact, double end) {
     const MovingFrame& frame = impact.surface.frame;
-    return frame.velocityAt(end, impact.surface.pointAt(end)) + frame.orientationAt(end) * impact.velocity_out;
+    const Vec3 contact = frame.worldFromFrame(end, impact.surface.point + impact.skims * (end - impact.begun));
+    return frame.velocityAt(end, contact) + frame.orientationAt(end) * impact.velocity_out;
 }
 
 } // namespace elastoon

@@ -5,6 +5,7 @@
 #include "elastoon/style.h"
 
 #include <optional>
+#include <span>
 
 namespace elastoon {
 
@@ -29,6 +30,17 @@ struct Touching {
 [[nodiscard]] std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, const Style& style);
 
 /// Pose with the curve's stretch times `factor`.
+/// A surface that is touched besides: its normal and what it does at the contact, in the primary surface's frame.
+struct AlsoTouched {
+    Vec3 normal{0.0};
+    Vec3 velocity{0.0};
+};
+
+/// The impact from time t on (in its squash half) when the others throw the body back as well: no normal speed of
+/// parting is less than the style's share of that of approach. CornerRule::Blended.
+[[nodiscard]] Impact blendImpact(const Impact& impact, double t, std::span<const AlsoTouched> others,
+                                 const Shape& shape, const Style& style, const Vec3& gravity);
+
 [[nodiscard]] Pose impactPose(const Impact& impact, const Shape& shape, double t, double factor = 1.0);
 [[nodiscard]] Vec3 impactVelocity(const Impact& impact, const Shape& shape, double t, double end);
 /// Velocity (world) of the flight that follows, at the impact's end.

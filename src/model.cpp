@@ -13,6 +13,8 @@ namespace {
 
 /// A span of s below this is rounding, not a motion.
 constexpr double kLeastSpan = 1e-14;
+/// A change of form takes this long at least, s.
+constexpr double kLeastSettling = 0.02;
 
 /// Least omega_in. Bounded: its own limit at no speed, which also bounds gentle touches of a fast surface.
 /// Paper: its contact time has no bound; the speed is taken as a tenth of the rest speed where it is below that.
@@ -74,16 +76,54 @@ ImpactCurve impactCurve(const Style& style, const ImpactInput& input) {
     const double omega_out = std::max(omegaOf(style, input.length, input.speed_out, span_out), 0.5 * omega_in);
     curve.omega_in = span_in > kLeastSpan || input.turns ? omega_in : 0.0;
     curve.omega_out = std::fabs(span_out) > kLeastSpan || input.turns ? omega_out : 0.0;
+    if (input.turns) {
+        // A turn takes time, also of a body that does not squash.
+        constexpr double kMostOmega = 0.5 * kPi / kLeastSettling;
+        curve.omega_in = curve.omega_in > 0.0 ? curve.omega_in : kMostOmega;
+        curve.omega_out = curve.omega_out > 0.0 ? curve.omega_out : kMostOmega;
+    }
     curve.t_in = quarterPeriod(curve.omega_in);
     curve.t_out = quarterPeriod(curve.omega_out);
     return curve;
 }
 
+ImpactCurve skipCurve(const Style& style, const ImpactInput& input) {
+    ImpactCurve curve;
+    curve.s_in = input.s_in;
+    curve.s_out = input.s_out;
+    curve.s_mid = input.s_in + std::max(0.0, style.max_stretch - input.s_in) * stretchShare(style, input.speed_in);
+    const double slowest = 0.5 * kPi / settlingTime(style, input.length);
+    const double omega_in = std::max(omegaOf(style, input.length, input.speed_in, curve.s_mid - curve.s_in), slowest);
+    const double omega_out = omegaOf(style, input.length, input.speed_out, std::fabs(curve.s_mid - curve.s_out));
+    curve.omega_in = omega_in;
+    curve.omega_out = std::max(omega_out, 0.5 * omega_in);
+    curve.t_in = quarterPeriod(curve.omega_in);
+    curve.t_out = quarterPeriod(curve.omega_out);
+    return curve;
+}
+
+ImpactCurve withTimesOf(const ImpactCurve& curve, const ImpactCurve& other, double share) {
+    ImpactCurve mixed = curve;
+    mixed.t_in += share * (other.t_in - curve.t_in);
+    mixed.t_out += share * (other.t_out - curve.t_out);
+    mixed.omega_in = mixed.t_in > 0.0 ? 0.5 * kPi / mixed.t_in : 0.0;
+    mixed.omega_out = mixed.t_out > 0.0 ? 0.5 * kPi / mixed.t_out : 0.0;
+    return mixed;
+}
+
+ImpactCurve withEnd(const ImpactCurve& curve, const Style& style, double length, double speed_out, double s_out) {
+    ImpactCurve changed = curve;
+    changed.s_out = s_out;
+    changed.omega_out =
+        std::max(omegaOf(style, length, speed_out, std::fabs(s_out - curve.s_mid)), 0.5 * curve.omega_in);
+    changed.t_out = quarterPeriod(changed.omega_out);
+    return changed;
+}
+
 double settlingTime(const Style& style, double length) {
-    constexpr double kLeast = 0.02;
     constexpr double kMost = 1.0;
     const double limit = length * style.stretch_rate * (style.max_stretch - style.min_squash) / style.squash_rate;
-    return std::clamp(0.5 * kPi * limit, kLeast, kMost);
+    return std::clamp(0.5 * kPi * limit, kLeastSettling, kMost);
 }
 
 ImpactCurve recoveryCurve(const Style& style, double length, double stretch) {

@@ -3,6 +3,7 @@
 #include "impact.h"
 #include "push.h"
 #include "rotation.h"
+#include "slide.h"
 #include "step.h"
 
 #include <algorithm>
@@ -62,10 +63,8 @@ void Moment::note(EventType type, ObstacleId other, const Surface& surface, doub
 
 std::vector<Left> Moment::held() const {
     std::vector<Left> held;
-    if (const auto* impact = std::get_if<Impact>(&body_.phase.motion)) {
-        held.push_back({impact->surface, body_.phase.obstacle});
-    } else if (const auto* rest = std::get_if<Rest>(&body_.phase.motion)) {
-        held.push_back({rest->surface, body_.phase.obstacle});
+    if (const Surface* surface = surfaceOf(body_.phase)) {
+        held.push_back({*surface, body_.phase.obstacle});
     }
     for (const KeptClear& kept : body_.phase.clear_of) {
         if (kept.until >= t_) {
@@ -88,7 +87,7 @@ void Moment::fly(const Pose& pose, const Vec3& velocity, Lead lead, std::span<co
             left.surface.solid ? separatingPlane(left.surface, *body_.shape, first, t_) : left.surface;
         double until = leavingUntil(plane, t_, flight, *body_.shape, leastPartingSpeed(plane));
         if (left.parts) {
-            until = std::max(until, t_ + kLeastLeaving);
+            until = std::max({until, t_ + kLeastLeaving, t_ + left.for_at_least});
         }
         if (until > t_) {
             phase.clear_of.push_back({plane, left.obstacle, t_, until});
@@ -106,11 +105,83 @@ void Moment::flyOn() {
             lefts.push_back({kept.surface, kept.obstacle});
         }
     }
-    fly(pose(), velocity(), Lead::Nearest, lefts);
+    fly(pose(), velocity(), Lead::Nearest, lefts, settlingTime(body_.style, body_.shape->length()));
+}
+
+/// False where the touch begins no slide.
+bool Moment::beginSlideOn(const Met& met, const Pose& pose, const Vec3& velocity, bool goes_on) {
+    const Touching touching{
+        .time = t_, .pose = pose, .velocity = velocity, .gravity = around_.gravity, .surface = met.surface};
+    const std::optional<SlideBegun> begun = beginSlide(touching, *body_.shape, body_.style);
+    if (!begun) {
+        return false;
+    }
+    Phase phase;
+    phase.start = t_;
+    phase.end = t_ + begun->duration;
+    phase.obstacle = idOfObstacle(met.obstacle, around_.obstacles[met.obstacle]);
+    phase.motion = begun->slide;
+    if (!goes_on) {
+        ImpactCurve none;
+        none.s_in = none.s_mid = none.s_out = pose.stretch;
+        Surface surface = met.surface;
+        surface.point = surface.frame.frameFromWorld(t_, contactPoint(*body_.shape, pose, surface, t_));
+        note(EventType::Impact, phase.obstacle, surface, glm::length(velocity - surface.frame.velocity), none);
+    }
+    begin(std::move(phase));
+    return true;
+}
+
+void Moment::endSlide() {
+    const Phase phase = body_.phase;
+    const auto& slide = std::get<Slide>(phase.motion);
+    const ObstacleSlot* obstacle = slotOf(around_, phase.obstacle);
+    const Pose pose = this->pose();
+    const Vec3 velocity = this->velocity();
+    const double elapsed = t_ - phase.start;
+    const Vec3 along = slideVelocity(slide, elapsed);
+    const Vec3 foot = slide.foot + (slide.velocity + slide.acceleration * (0.5 * elapsed)) * elapsed;
+    const double speed = glm::length(along);
+    constexpr double kMomentOnFace = 1e-6;
+    const bool on_face = timeOnFace(slide.surface, foot, along, slide.acceleration) > kMomentOnFace;
+    if (obstacle != nullptr && on_face) {
+        const Met again{t_, phase.obstacle.slot - 1, slide.surface};
+        if (beginSlideOn(again, pose, velocity, true) || beginImpactWith(again, pose, velocity, phase.clear_of)) {
+            return;
+        }
+    }
+    // What hangs over the edge draws the rest after it; until then the edge bears it.
+    constexpr double kLongestOverEdge = 0.3;
+    const double reach =
+        reachTowards(*body_.shape, pose, speed > 0.0 ? slide.surface.frame.orientation * (along / speed) : Vec3(0.0));
+    Left left{slide.surface, phase.obstacle, true,
+              std::min(kLongestOverEdge, speed > 0.0 ? reach / speed : kLongestOverEdge)};
+    Surface last = slide.surface;
+    last.point = last.frame.frameFromWorld(t_, contactPoint(*body_.shape, pose, slide.surface, t_));
+    note(EventType::Release, phase.obstacle, last, speed, ImpactCurve{});
+    fly(pose, velocity, Lead::Nearest, {&left, 1}, settlingTime(body_.style, body_.shape->length()));
+}
+
+void Moment::touchInSlide(const Met& met) {
+    const auto& slide = std::get<Slide>(body_.phase.motion);
+    const ObstacleId id = idOfObstacle(met.obstacle, around_.obstacles[met.obstacle]);
+    Surface under = slide.surface;
+    under.solid = nullptr;
+    Met solid = met;
+    solid.surface.solid = around_.obstacles[met.obstacle].shape;
+    if (beginImpactWith(solid, pose(), velocity(), {{under, body_.phase.obstacle, t_}})) {
+        return;
+    }
+    Phase phase = body_.phase;
+    phase.clear_of.push_back({met.surface, id, t_});
+    begin(std::move(phase));
 }
 
 /// False where the body is parting from the surface and not slow.
 bool Moment::beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, std::vector<KeptClear> waiting) {
+    if (beginSlideOn(met, pose, velocity, false)) {
+        return true;
+    }
     const ObstacleSlot& obstacle = around_.obstacles[met.obstacle];
     const Touching touching{
         .time = t_, .pose = pose, .velocity = velocity, .gravity = around_.gravity, .surface = met.surface};
@@ -121,6 +192,10 @@ bool Moment::beginImpactWith(const Met& met, const Pose& pose, const Vec3& veloc
     Phase phase;
     phase.start = t_;
     phase.end = t_ + impact->curve.duration();
+    if (impact->skims != Vec3(0.0)) {
+        phase.end =
+            std::min(phase.end, t_ + timeOnFace(impact->surface, impact->surface.point, impact->skims, Vec3(0.0)));
+    }
     phase.obstacle = idOfObstacle(met.obstacle, obstacle);
     phase.motion = *impact;
     phase.clear_of = std::move(waiting);
@@ -149,7 +224,7 @@ void Moment::touch(const Met& met) {
             lefts.push_back({kept.surface, kept.obstacle});
         }
     }
-    fly(pose, velocity, Lead::Nearest, lefts);
+    fly(pose, velocity, Lead::Nearest, lefts, settlingTime(body_.style, body_.shape->length()));
 }
 
 void Moment::queue(const Met& met) {
@@ -161,8 +236,29 @@ void Moment::queue(const Met& met) {
     if (opposes(impact.surface.normalAt(t_), met.surface.normalAt(t_))) {
         note(EventType::Squeeze, id, met.surface, 0.0, impact.curve);
     }
+    if (body_.style.corner_rule == CornerRule::Blended) {
+        blend(phase);
+    }
     phase.end = blockedAt(phase, *body_.shape);
     begin(std::move(phase));
+}
+
+/// While the body still squashes, all that it touches throws it back.
+void Moment::blend(Phase& phase) const {
+    auto& impact = std::get<Impact>(phase.motion);
+    if (impact.comes_to_rest || t_ - impact.begun > impact.curve.t_in) {
+        return;
+    }
+    const MovingFrame& frame = impact.surface.frame;
+    const Quat frame_from_world = glm::conjugate(frame.orientationAt(t_));
+    std::vector<AlsoTouched> others;
+    for (const KeptClear& kept : phase.clear_of) {
+        const Vec3 point = kept.surface.pointAt(t_);
+        others.push_back({frame_from_world * kept.surface.normalAt(t_),
+                          frame_from_world * (kept.surface.frame.velocityAt(t_, point) - frame.velocityAt(t_, point))});
+    }
+    impact = blendImpact(impact, t_, others, *body_.shape, body_.style, around_.gravity);
+    phase.end = impact.begun + impact.curve.duration();
 }
 
 /// Of what waits: what closes on the body from the other side.

@@ -6,6 +6,7 @@
 #include "impact.h"
 #include "push.h"
 #include "rotation.h"
+#include "slide.h"
 
 #include <algorithm>
 
@@ -36,7 +37,7 @@ Vec3 MovingFrame::frameFromWorld(double t, const Vec3& point) const {
 }
 
 std::string_view nameOf(const Phase& phase) {
-    constexpr std::string_view kNames[] = {"flight", "impact", "rest"};
+    constexpr std::string_view kNames[] = {"flight", "impact", "rest", "slide"};
     return kNames[phase.motion.index()];
 }
 
@@ -69,6 +70,9 @@ Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor) {
     if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
         return impactPose(*impact, shape, time, factor);
     }
+    if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
+        return slidePose(*slide, shape, phase.start, time - phase.start, factor);
+    }
     return restPose(std::get<Rest>(phase.motion), shape, time, factor);
 }
 
@@ -83,6 +87,10 @@ Vec3 velocityAt(const Phase& phase, const Shape& shape, double t) {
     }
     if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
         return impactVelocity(*impact, shape, time, phase.end);
+    }
+    if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
+        const MovingFrame& frame = slide->surface.frame;
+        return frame.velocity + frame.orientation * slideVelocity(*slide, time - phase.start);
     }
     const auto& rest = std::get<Rest>(phase.motion);
     return rest.surface.frame.velocityAt(time, restPose(rest, shape, time, 1.0).position);

@@ -76,15 +76,6 @@ private:
     double squared_ = 0.0;
 };
 
-/// The surface that an impact or a rest is about; null in flight.
-const Surface* primaryOf(const Phase& phase) {
-    if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
-        return &impact->surface;
-    }
-    const auto* rest = std::get_if<Rest>(&phase.motion);
-    return rest != nullptr ? &rest->surface : nullptr;
-}
-
 /// The way out of the second surface along the first; zero where there is none.
 Vec3 wayAlong(const Vec3& normal, const Vec3& other) {
     const Vec3 way = other - normal * glm::dot(normal, other);
@@ -98,7 +89,7 @@ bool continues(const Vec3& normal, const Vec3& other) {
 
 /// Takes the pose out of all surfaces by moving it. False if that cannot be done.
 bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose) {
-    const Surface* primary = primaryOf(phase);
+    const Surface* primary = surfaceOf(phase);
     const Vec3 normal = primary != nullptr ? primary->normalAt(t) : Vec3(0.0);
     const double length = shape.length();
     for (int round = 0; round < kMostRounds; ++round) {
@@ -139,6 +130,17 @@ bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose) {
 }
 
 } // namespace
+
+const Surface* surfaceOf(const Phase& phase) {
+    if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
+        return &impact->surface;
+    }
+    if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
+        return &slide->surface;
+    }
+    const auto* rest = std::get_if<Rest>(&phase.motion);
+    return rest != nullptr ? &rest->surface : nullptr;
+}
 
 bool opposes(const Vec3& normal, const Vec3& other) {
     return glm::dot(normal, other) < 0.0 && wayAlong(normal, other) == Vec3(0.0);
@@ -181,7 +183,7 @@ struct Fit {
 };
 
 bool isPressed(const Phase& phase, double t) {
-    const Surface* primary = primaryOf(phase);
+    const Surface* primary = surfaceOf(phase);
     return primary != nullptr && std::any_of(phase.clear_of.begin(), phase.clear_of.end(), [&](const KeptClear& kept) {
                return opposes(primary->normalAt(t), kept.surface.normalAt(t));
            });
@@ -255,7 +257,7 @@ double blockedAt(const Phase& phase, const Shape& shape) {
 }
 
 double pushGain(const Phase& phase, double t) {
-    const Surface* primary = primaryOf(phase);
+    const Surface* primary = surfaceOf(phase);
     const Vec3 normal = primary != nullptr ? primary->normalAt(t) : Vec3(0.0);
     std::array<Vec3, kMostBarriers> ways;
     std::size_t count = 0;

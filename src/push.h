@@ -34,6 +34,9 @@ struct Barrier {
 /// How much faster than the surfaces and the body's own motion the push can be, at time t: 0 without one.
 [[nodiscard]] double pushGain(const Phase& phase, double t);
 
+/// The surface that a phase is about; null in flight.
+[[nodiscard]] const Surface* surfaceOf(const Phase& phase);
+
 /// Whether the second surface leaves a body on the first nowhere to go but flat: their normals all but oppose.
 [[nodiscard]] bool opposes(const Vec3& normal, const Vec3& other);
 

@@ -68,7 +68,8 @@ Met earliestNear(const Surroundings& around, const BodySlot& body, double from, 
     if (stands && !around.anyMoves()) {
         return met;
     }
-    const double gap = (rest != nullptr ? kHitGap : kNearGap) * body.shape->length();
+    const bool waits = std::holds_alternative<Impact>(body.phase.motion);
+    const double gap = (waits ? kNearGap : kHitGap) * body.shape->length();
     thread_local std::vector<std::size_t> candidates;
     around.near(body.phase, *body.shape, from, to, candidates);
     for (const std::size_t i : candidates) {
@@ -140,8 +141,17 @@ double nextEvent(const Surroundings& around, BodySlot& body, BodyId id, double f
         }
         return kNever;
     }
-    const bool impact = std::holds_alternative<Impact>(body.phase.motion);
     const double end = body.phase.end;
+    if (std::holds_alternative<Slide>(body.phase.motion)) {
+        const Met met = earliestNear(around, body, from, std::min(to, end));
+        if (met.time < kNever) {
+            at(met.time).touchInSlide(met);
+        } else if (end <= to) {
+            at(end).endSlide();
+        }
+        return met.time < kNever ? met.time : end <= to ? end : kNever;
+    }
+    const bool impact = std::holds_alternative<Impact>(body.phase.motion);
     const Met met = earliestNear(around, body, from, std::min(to, end));
     if (met.time < kNever) {
         impact ? at(met.time).queue(met) : at(met.time).hitAtRest(met);

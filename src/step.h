@@ -111,6 +111,7 @@ struct Left {
     Surface surface;
     ObstacleId obstacle;
     bool parts = false; ///< the body is known to part from it
+    double for_at_least = 0.0; ///< s
 };
 
 /// One body at one moment, and all that happens to it there: each of these ends its phase and begins the next.
@@ -131,6 +132,10 @@ public:
     void touch(const Met& met);
     /// In an impact, it has come near to another obstacle, which waits.
     void queue(const Met& met);
+    /// The slide is over: it stands up where it stopped, goes on in a new direction, or leaves the edge.
+    void endSlide();
+    /// While it slides, it has touched another obstacle.
+    void touchInSlide(const Met& met);
     /// The impact is over: the next one that waits begins, or the body flies off, or rests.
     void endImpact();
     /// An obstacle has come upon it at rest: it is pressed against what it rests on, or meets it.
@@ -154,6 +159,8 @@ private:
     [[nodiscard]] Vec3 velocity() const { return velocityAt(body_.phase, *body_.shape, t_); }
     void note(EventType type, ObstacleId other, const Surface& surface, double speed, const ImpactCurve& curve);
     bool beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, std::vector<KeptClear> waiting);
+    bool beginSlideOn(const Met& met, const Pose& pose, const Vec3& velocity, bool goes_on);
+    void blend(Phase& phase) const;
     bool meetNextWaiting(const Impact& impact);
     void restOn(const Impact& impact, const std::vector<KeptClear>& pressing);
     [[nodiscard]] std::vector<KeptClear> pressingOn(const Surface& surface) const;

@@ -11,9 +11,10 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kSquashLawNames{"bounded", "paper"};
 constexpr std::array<std::string_view, 2> kImpactEasingNames{"smooth", "linear"};
+constexpr std::array<std::string_view, 2> kCornerRuleNames{"queued", "blended"};
 constexpr double kRadiansPerDegree = kPi / 180.0;
 
-constexpr std::array<StyleParameter, 10> kParameters{{
+constexpr std::array<StyleParameter, 13> kParameters{{
     {"restitution",
      "r",
      "",
@@ -80,6 +81,19 @@ constexpr std::array<StyleParameter, 10> kParameters{{
      "steepest surface that can hold a body at rest",
      &Style::rest_slope,
      {}},
+    {"friction", "mu", "", 0.0, 100.0, 0.4, 1.0, "how much a slide along a surface is slowed", &Style::friction, {}},
+    {"grazing_angle",
+     "",
+     "deg",
+     0.0,
+     90.0,
+     30.0,
+     kRadiansPerDegree,
+     "incidence from the surface below which a touch skips instead of turning end over end",
+     &Style::grazing_angle,
+     {}},
+    {"corner_rule", "", "", 0.0, 1.0, 0.0, 1.0,
+     "whether a second surface waits for its turn, or both throw the body back at once", nullptr, kCornerRuleNames},
 }};
 
 } // namespace
@@ -93,8 +107,9 @@ double parameterValue(const Style& style, const StyleParameter& parameter) {
         const double value = style.*parameter.number;
         return parameter.may_be_derived && value == kDerived ? kDerived : value / parameter.file_to_si;
     }
-    return parameter.name == "squash_law" ? static_cast<double>(style.squash_law)
-                                          : static_cast<double>(style.impact_easing);
+    return parameter.name == "squash_law"      ? static_cast<double>(style.squash_law)
+           : parameter.name == "impact_easing" ? static_cast<double>(style.impact_easing)
+                                               : static_cast<double>(style.corner_rule);
 }
 
 void setParameter(Style& style, const StyleParameter& parameter, double value) {
@@ -103,8 +118,10 @@ void setParameter(Style& style, const StyleParameter& parameter, double value) {
         style.*parameter.number = derived ? kDerived : value * parameter.file_to_si;
     } else if (parameter.name == "squash_law") {
         style.squash_law = static_cast<SquashLaw>(static_cast<int>(value));
-    } else {
+    } else if (parameter.name == "impact_easing") {
         style.impact_easing = static_cast<ImpactEasing>(static_cast<int>(value));
+    } else {
+        style.corner_rule = static_cast<CornerRule>(static_cast<int>(value));
     }
 }
 

@@ -5,6 +5,7 @@
 #include "closest.h"
 #include "contact.h"
 #include "push.h"
+#include "slide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ HeldBounds impactBounds(const Impact& impact, const Shape& shape, double from, d
     if (to >= middle) {
         include(ratesOf(impact, curve.t_out, curve.s_out - curve.s_mid, curve.omega_out));
     }
-    const double longest = std::max(curve.s_in, curve.s_out);
+    const double longest = std::max({curve.s_in, curve.s_mid, curve.s_out});
     const double flattest = std::min({curve.s_in, curve.s_mid, curve.s_out});
     const double along = longest * shape.reachAlong();
     const double across = shape.reachAcross() / std::sqrt(flattest);
@@ -55,7 +56,8 @@ HeldBounds impactBounds(const Impact& impact, const Shape& shape, double from, d
     const double own = 2.0 * (most.turn * bounds.reach + stretching) * (impact.surface.solid ? 4.0 : 2.0);
     const MovingFrame& frame = impact.surface.frame;
     const double arm = glm::length(impact.surface.point) + 3.0 * bounds.reach;
-    bounds.speed = own + glm::length(frame.velocity) + glm::length(frame.angular_velocity) * arm;
+    bounds.speed =
+        own + glm::length(impact.skims) + glm::length(frame.velocity) + glm::length(frame.angular_velocity) * arm;
     return bounds;
 }
 
@@ -70,6 +72,42 @@ HeldBounds restBounds(const Rest& rest, const Shape& shape) {
     return bounds;
 }
 
+HeldBounds slideBounds(const Slide& slide, const Shape& shape, double from, double to) {
+    const double pull = glm::length(slide.acceleration);
+    const double first = glm::length(slideVelocity(slide, from));
+    const double last = glm::length(slideVelocity(slide, to));
+    // The way turns little, so the least speed is near an end; it may stop only where it does not turn.
+    const double speed = std::max(first, last);
+    const Vec3 across = slide.acceleration - slide.direction * glm::dot(slide.acceleration, slide.direction);
+    const double turning =
+        glm::length(across) > 1e-12 * pull ? glm::length(across) / (0.9 * std::min(first, last)) : 0.0;
+    const double longest = slideStretch(slide, speed) + std::max(0.0, slide.ease.stretch);
+    const double flattest = 1.0 + std::min(0.0, slide.ease.stretch);
+    const double along = longest * shape.reachAlong();
+    const double wide = shape.reachAcross() / std::sqrt(flattest);
+    const double easing = from < slide.ease.span ? 1.5 / slide.ease.span : 0.0;
+    const double stretching =
+        slide.stretch_rate * (slide.max_stretch - 1.0) * pull + easing * std::fabs(slide.ease.stretch);
+    HeldBounds bounds;
+    bounds.reach = std::sqrt(along * along + wide * wide);
+    const double widening = 0.5 * wide / flattest;
+    const double form = stretching * std::sqrt(shape.reachAlong() * shape.reachAlong() + widening * widening) +
+                        (turning + easing * slide.ease.angle) * bounds.reach;
+    const double lifting = slide.surface.solid ? 4.0 : 1.0;
+    bounds.speed = (speed + 2.0 * form) * lifting + glm::length(slide.surface.frame.velocity);
+    return bounds;
+}
+
+HeldBounds ownBounds(const Phase& phase, const Shape& shape, double from, double to) {
+    if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
+        return impactBounds(*impact, shape, from, to);
+    }
+    if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
+        return slideBounds(*slide, shape, from - phase.start, to - phase.start);
+    }
+    return restBounds(std::get<Rest>(phase.motion), shape);
+}
+
 /// The solid's supporting plane across `normal` (world).
 Surface planeAcross(const Watched& watched, const Vec3& normal, double t) {
     Surface surface;
@@ -82,9 +120,7 @@ Surface planeAcross(const Watched& watched, const Vec3& normal, double t) {
 } // namespace
 
 HeldBounds heldBounds(const Phase& phase, const Shape& shape, double from, double to) {
-    const auto* impact = std::get_if<Impact>(&phase.motion);
-    HeldBounds bounds =
-        impact != nullptr ? impactBounds(*impact, shape, from, to) : restBounds(std::get<Rest>(phase.motion), shape);
+    HeldBounds bounds = ownBounds(phase, shape, from, to);
     if (!phase.clear_of.empty()) {
         double fastest = bounds.speed;
         for (const KeptClear& kept : phase.clear_of) {

@@ -322,7 +322,7 @@ Status World::setStyle(BodyId id, const Style& style) {
     }
     body->style = style;
     if (std::holds_alternative<Flight>(body->phase.motion)) {
-        impl_->now(id).flyOn();
+        impl_->fly(id, velocityAt(body->phase, *body->shape, impl_->time), impl_->now(id).held());
     }
     return success();
 }
@@ -338,7 +338,7 @@ Status World::setGravity(const Vec3& gravity) {
             continue;
         }
         const auto* rest = std::get_if<Rest>(&body.phase.motion);
-        if (std::holds_alternative<Flight>(body.phase.motion) ||
+        if (std::holds_alternative<Flight>(body.phase.motion) || std::holds_alternative<Slide>(body.phase.motion) ||
             (rest != nullptr && !canHold(rest->surface, impl_->time, gravity, body.style))) {
             impl_->now(idOfBody(i, body)).wake();
         }
@@ -359,6 +359,10 @@ void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& fram
     }
     const bool flies = std::holds_alternative<Flight>(phase.motion);
     if (!concerns && (flies || phase.obstacle != obstacle)) {
+        return;
+    }
+    if (std::holds_alternative<Slide>(phase.motion)) {
+        now(id).wake();
         return;
     }
     phase.start = time;

@@ -100,9 +100,13 @@ TEST(Model, ZeroSpansTakeNoTimeAndDivideNothing) {
     flat.stretch_rate = 0.0;
     for (const Style& style : {rigid, flat}) {
         for (const double v : {0.0, 1e-300, 1.0, 1e6}) {
-            const ImpactCurve c = impactCurve(style, {.length = 1.0, .speed_in = v, .speed_out = v, .turns = true});
+            const ImpactCurve c = impactCurve(style, {.length = 1.0, .speed_in = v, .speed_out = v, .turns = false});
             EXPECT_EQ(c.duration(), 0.0);
             EXPECT_EQ(c.at(0.0), 1.0);
+            const ImpactCurve turning =
+                impactCurve(style, {.length = 1.0, .speed_in = v, .speed_out = v, .turns = true});
+            EXPECT_NEAR(turning.duration(), 0.04, 1e-12) << "a turn takes time";
+            EXPECT_EQ(turning.at(0.03), 1.0);
         }
     }
     for (const SquashLaw law : {SquashLaw::Paper, SquashLaw::Bounded}) {

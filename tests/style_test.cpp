@@ -57,7 +57,10 @@ TEST(Style, EveryFieldHasARow) {
                   .impact_easing = ImpactEasing::Linear,
                   .reversal_rate = through_table.reversal_rate,
                   .rest_speed = 1e6,
-                  .rest_slope = through_table.rest_slope};
+                  .rest_slope = through_table.rest_slope,
+                  .friction = 100,
+                  .grazing_angle = through_table.grazing_angle,
+                  .corner_rule = CornerRule::Blended};
     EXPECT_EQ(through_table, by_hand);
     EXPECT_NEAR(through_table.rest_slope, 1.5707963267948966, 1e-12);
 }

@@ -43,6 +43,15 @@ struct ImpactCurve {
 /// The curve of one impact. Paper, section 3.4; floors and limits: docs/model.md.
 [[nodiscard]] ImpactCurve impactCurve(const Style& style, const ImpactInput& input);
 
+/// The curve of a touch that skips along the surface: pressed flat it lengthens along it, by the share of the extra
+/// stretch that its normal speed gives. Speeds in `input` are along the normal.
+[[nodiscard]] ImpactCurve skipCurve(const Style& style, const ImpactInput& input);
+/// The curve with the other's durations mixed in: `share` 0 leaves them, 1 takes the other's.
+[[nodiscard]] ImpactCurve withTimesOf(const ImpactCurve& curve, const ImpactCurve& other, double share);
+/// The curve with another end.
+[[nodiscard]] ImpactCurve withEnd(const ImpactCurve& curve, const Style& style, double length, double speed_out,
+                                  double s_out);
+
 /// How long a body takes to its own form where no speed drives it, s: the squash half of the gentlest impact.
 [[nodiscard]] double settlingTime(const Style& style, double length);
 

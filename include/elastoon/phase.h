@@ -50,7 +50,7 @@ enum class AxisRule : std::uint8_t {
     Fixed, ///< nothing turns it: no speed and no gravity
 };
 
-/// A form that a flight begins with and that is not the one of its velocity: it fades within `span`, smoothly.
+/// A form that a phase begins with and that is not the one of its velocity: it fades within `span`, smoothly.
 struct Ease {
     double span = 0.0; ///< s; 0: nothing to fade
     Vec3 axis{0.0, 0.0, 1.0}; ///< unit, world
@@ -81,10 +81,25 @@ struct Impact {
     Quat orientation{kNoRotation}; ///< at start, in the surface's frame
     Vec3 turn_axis{0.0, 0.0, 1.0}; ///< unit, in the surface's frame
     double turn_angle = 0.0; ///< whole turn, rad, >= 0
+    double turn_from = 0.0; ///< share of the easing at which this turn began
+    Vec3 skims{0.0}; ///< velocity of the contact along the surface, in its frame: zero where it sticks
     ImpactCurve curve;
     ImpactEasing easing = ImpactEasing::Smooth;
-    Vec3 velocity_out{0.0}; ///< relative to the surface, in its frame
+    Vec3 velocity_in{0.0}; ///< relative to the surface, in its frame
+    Vec3 velocity_out{0.0}; ///< likewise
     bool comes_to_rest = false;
+};
+
+/// Sliding along a surface: constant acceleration, the axis along the way, stretched by the speed. docs/contacts.md.
+struct Slide {
+    Surface surface; ///< its frame does not turn
+    Vec3 foot{0.0}; ///< of the centroid on the plane at the start, in the frame; likewise all that follows
+    Vec3 direction{1.0, 0.0, 0.0}; ///< unit, of the way at the start
+    Vec3 velocity{0.0};
+    Vec3 acceleration{0.0};
+    Quat orientation{kNoRotation}; ///< that goes with the direction
+    double max_stretch = 1.0, stretch_rate = 0.0;
+    Ease ease;
 };
 
 /// Still on a surface, carried by it.
@@ -105,13 +120,14 @@ struct KeptClear {
 /// One phase of one body: immutable once made.
 struct Phase {
     double start = 0.0;
-    double end = std::numeric_limits<double>::infinity(); ///< an impact's own end; else infinite until an event ends it
-    ObstacleId obstacle; ///< that an impact or rest is against, or that a flight has just left
+    double end =
+        std::numeric_limits<double>::infinity(); ///< its own end, as far as it is known; an event may come before
+    ObstacleId obstacle; ///< that an impact, rest or slide is against, or that a flight has just left
     std::vector<KeptClear> clear_of;
-    std::variant<Flight, Impact, Rest> motion;
+    std::variant<Flight, Impact, Rest, Slide> motion;
 };
 
-/// flight, impact or rest.
+/// flight, impact, rest or slide.
 [[nodiscard]] std::string_view nameOf(const Phase& phase);
 
 /// Pose of a body of this shape at time t of the phase; t is taken as start where it is before it.

@@ -19,6 +19,12 @@ enum class ImpactEasing : std::uint8_t {
     Linear, ///< constant rate in each half, the paper's
 };
 
+/// What becomes of a surface that is touched while the body is in an impact with another. docs/contacts.md.
+enum class CornerRule : std::uint8_t {
+    Queued,  ///< it waits until the first impact is over, the paper's
+    Blended, ///< while the body still squashes, both throw it back at once
+};
+
 /// Says "derive it from the body": see Style::rest_speed.
 inline constexpr double kDerived = -1.0;
 
@@ -51,6 +57,14 @@ struct Style {
     /// Steepest surface that can hold a body at rest, rad from level. 0 to pi/2. Default 35 degrees. Paper,
     /// section 3.5.
     double rest_slope = 0.6108652381980153;
+
+    /// Share of the pressing force that slows a slide, mu. >= 0. Default 0.4. 0 -> ice; 1 -> rubber on stone.
+    double friction = 0.4;
+    /// Incidence from the surface below which a touch skips instead of turning end over end, rad. 0 to pi/2. Default 30
+    /// degrees; 0: never. From half of it down the body keeps all of its way along the surface.
+    double grazing_angle = 0.5235987755982988;
+    /// What a second surface does that is touched during an impact. Default Queued.
+    CornerRule corner_rule = CornerRule::Queued;
 
     friend bool operator==(const Style&, const Style&) = default;
 };
