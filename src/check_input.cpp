@@ -69,6 +69,34 @@ std::optional<Error> checkBodyDef(const BodyDef& def) {
     return checkRotation(def.rotation, "rotation");
 }
 
+std::optional<Error> checkPlace(const Vec3& position, const Quat& rotation) {
+    if (auto error = checkVector(position, kMostPosition, "position")) {
+        return error;
+    }
+    return checkRotation(rotation, "rotation");
+}
+
+namespace {
+
+std::optional<Error> checkPath(const std::vector<PathKey>& path) {
+    double last = 0.0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const std::string where = "path[" + std::to_string(i) + "]";
+        if (!(path[i].time > last && path[i].time <= kMostStep)) {
+            return Error{"must be above " + shortNumber(last) + " s (the key before it) and at most 1e6 s, is " +
+                             shortNumber(path[i].time),
+                         where + ".time"};
+        }
+        if (auto error = checkPlace(path[i].position, path[i].rotation)) {
+            return Error{error->message, where + "." + error->where};
+        }
+        last = path[i].time;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
 std::optional<Error> checkObstacleDef(const ObstacleDef& def) {
     if (auto error = checkVector(def.position, kMostPosition, "position")) {
         return error;
@@ -82,6 +110,9 @@ std::optional<Error> checkObstacleDef(const ObstacleDef& def) {
     const double length = glm::length(def.normal);
     if (!(std::isfinite(length) && length > 1e-12)) {
         return Error{"must be three finite numbers that are not all zero", "normal"};
+    }
+    if (auto error = checkPath(def.path)) {
+        return error;
     }
     return checkRotation(def.rotation, "rotation");
 }

@@ -18,6 +18,8 @@ inline constexpr double kMostStep = 1e6;
 [[nodiscard]] std::string shortNumber(double value);
 
 [[nodiscard]] std::optional<Error> checkVector(const Vec3& value, double most, const char* what);
+/// Where an obstacle is put.
+[[nodiscard]] std::optional<Error> checkPlace(const Vec3& position, const Quat& rotation);
 [[nodiscard]] std::optional<Error> checkStyle(const Style& style);
 [[nodiscard]] std::optional<Error> checkBodyDef(const BodyDef& def);
 [[nodiscard]] std::optional<Error> checkObstacleDef(const ObstacleDef& def);

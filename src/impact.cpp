@@ -131,22 +131,43 @@ double sticking(const Meeting& meeting, const Style& style) {
     return share * share * (3.0 - 2.0 * share);
 }
 
-/// Curve and turn. Below the grazing angle the body skips: docs/contacts.md.
+/// How far the centroid comes along the surface, in the frame.
+Vec3 wayAlong(const Impact& impact, const Shape& shape) {
+    const double end = impact.begun + impact.curve.duration();
+    const MovingFrame& frame = impact.surface.frame;
+    const Vec3 way = frame.frameFromWorld(end, impactPose(impact, shape, end).position) -
+                     frame.frameFromWorld(impact.begun, impactPose(impact, shape, impact.begun).position);
+    return way - impact.surface.normal * glm::dot(way, impact.surface.normal);
+}
+
+/// Curve and turn. Below the grazing angle the body skips, so that it leaves where, when and as a touch above that
+/// angle does in the limit: docs/contacts.md.
 void planImpact(Impact& impact, const Touching& touching, const Meeting& meeting, const Shape& shape,
                 const Style& style) {
-    const double sticks = impact.comes_to_rest || !meeting.can_skip ? 1.0 : sticking(meeting, style);
-    const Vec3 along = impact.velocity_in - impact.surface.normal * glm::dot(impact.velocity_in, impact.surface.normal);
-    impact.skims = along * (1.0 - sticks);
-    // Whether it turns decides whether it takes time, and on a turning surface the time decides how far it turns.
-    for (int pass = 0; pass < 2; ++pass) {
-        ImpactInput input = curveInput(impact, touching, meeting, style, shape.length());
-        impact.curve = impactCurve(style, input);
-        if (sticks < 1.0) {
-            input.speed_in = std::max(0.0, -meeting.normal_speed);
-            input.speed_out = glm::dot(impact.velocity_out, impact.surface.normal);
-            impact.curve = withTimesOf(skipCurve(style, input), impact.curve, sticks);
+    const auto plan = [&](double sticks, const Vec3& away) {
+        // Whether it turns decides whether it takes time, and on a turning surface the time decides how far it turns.
+        for (int pass = 0; pass < 2; ++pass) {
+            ImpactInput input = curveInput(impact, touching, meeting, style, shape.length());
+            impact.curve = impactCurve(style, input);
+            if (sticks < 1.0) {
+                input.speed_in = std::max(0.0, -meeting.normal_speed);
+                input.speed_out = glm::dot(impact.velocity_out, impact.surface.normal);
+                impact.curve = withTimesOf(skipCurve(style, input), impact.curve, sticks);
+            }
+            planTurn(impact, touching.time, touching.gravity, away, style);
         }
-        planTurn(impact, touching.time, touching.gravity, sticks < 1.0 ? Vec3(0.0) : impact.surface.normal, style);
+    };
+    impact.skims = Vec3(0.0);
+    plan(1.0, impact.surface.normal);
+    const double sticks = impact.comes_to_rest || !meeting.can_skip ? 1.0 : sticking(meeting, style);
+    if (sticks < 1.0) {
+        const Vec3 way_of_swap = wayAlong(impact, shape);
+        plan(sticks, Vec3(0.0));
+        const double duration = impact.curve.duration();
+        const Vec3 speed =
+            impact.velocity_in - impact.surface.normal * glm::dot(impact.velocity_in, impact.surface.normal);
+        const Vec3 limit = duration > 0.0 ? (way_of_swap - wayAlong(impact, shape)) / duration : speed;
+        impact.skims = speed * (1.0 - sticks) + limit * sticks;
     }
 }
 

@@ -44,6 +44,7 @@ private:
     Style readStyle(const Json& value, const std::string& path);
     void readBodies(const Json& bodies);
     void readObstacles(const Json& obstacles);
+    void readPath(const Json& keys, const std::string& path, ObstacleDef& def);
     void readPlane(const Json& value, const std::string& path, SceneObstacle& obstacle);
     void readCamera(const Json& camera);
     void readStrobe(const Json& strobe);
@@ -320,6 +321,37 @@ void SceneReader::readPlane(const Json& value, const std::string& path, SceneObs
     obstacle.def = ObstacleDef::plane(glm::normalize(normal), offset);
 }
 
+void SceneReader::readPath(const Json& keys, const std::string& path, ObstacleDef& def) {
+    if (!json_.array(keys, path)) {
+        return;
+    }
+    double last = 0.0;
+    for (std::size_t i = 0; i < keys.size() && !json_.failed(); ++i) {
+        const std::string at = path + pathPart(i);
+        if (!json_.object(keys[i], at, {"time", "position", "rotation"})) {
+            return;
+        }
+        PathKey key;
+        // What a key does not say stays as it is.
+        key.position = i == 0 ? def.position : def.path.back().position;
+        key.rotation = i == 0 ? def.rotation : def.path.back().rotation;
+        if (!keys[i].contains("time")) {
+            json_.fail(at, "must have a \"time\"");
+            return;
+        }
+        key.time = json_.number(keys[i]["time"], at + "/time", 0.0, kMostStep);
+        if (!json_.failed() && !(key.time > last)) {
+            json_.fail(at + "/time", "must be above " + shortNumber(last) + ", the key before it");
+        }
+        last = key.time;
+        optional(keys[i], at, "position",
+                 [&](const Json& v, const std::string& p) { key.position = json_.vector(v, p, kMostPosition); });
+        optional(keys[i], at, "rotation",
+                 [&](const Json& v, const std::string& p) { key.rotation = json_.rotation(v, p); });
+        def.path.push_back(key);
+    }
+}
+
 void SceneReader::readObstacles(const Json& obstacles) {
     if (!json_.array(obstacles, "/obstacles")) {
         return;
@@ -333,7 +365,8 @@ void SceneReader::readObstacles(const Json& obstacles) {
         if (value.is_object() && value.contains("type")) {
             readPlane(value, path, obstacle);
         } else if (json_.object(value, path,
-                                {"name", "shape", "position", "rotation", "velocity", "angular_velocity", "color"})) {
+                                {"name", "shape", "position", "rotation", "velocity", "angular_velocity", "path",
+                                 "path_repeats", "color"})) {
             if (!value.contains("shape")) {
                 json_.fail(path, "must have a \"shape\", or \"type\": \"plane\"");
                 return;
@@ -355,6 +388,9 @@ void SceneReader::readObstacles(const Json& obstacles) {
             constexpr double kRadiansPerDegree = 0.017453292519943295;
             obstacle.def.angular_velocity = kRadiansPerDegree * json_.vector(v, p, kMostSpin / kRadiansPerDegree);
         });
+        optional(value, path, "path", [&](const Json& v, const std::string& p) { readPath(v, p, obstacle.def); });
+        optional(value, path, "path_repeats",
+                 [&](const Json& v, const std::string& p) { obstacle.def.path_repeats = json_.boolean(v, p); });
         optional(value, path, "color",
                  [&](const Json& v, const std::string& p) { obstacle.color = json_.color(v, p); });
         if (obstacle.shape) {

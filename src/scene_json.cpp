@@ -278,6 +278,13 @@ Vec3 JsonReader::color(const Json& value, const std::string& path) {
     return result;
 }
 
+bool JsonReader::boolean(const Json& value, const std::string& path) {
+    if (!failed() && !value.is_boolean()) {
+        fail(path, "must be true or false, is " + std::string(value.type_name()));
+    }
+    return value.is_boolean() && value.get<bool>();
+}
+
 std::size_t JsonReader::choice(const Json& value, const std::string& path, std::span<const std::string_view> choices) {
     const std::string word = text(value, path);
     const auto found = std::find(choices.begin(), choices.end(), word);

@@ -44,6 +44,7 @@ public:
 
     double number(const Json& value, const std::string& path, double least, double most, std::string_view unit = {});
     std::string text(const Json& value, const std::string& path);
+    bool boolean(const Json& value, const std::string& path);
     Vec3 vector(const Json& value, const std::string& path, double most);
     Quat rotation(const Json& value, const std::string& path);
     /// "#rrggbb" as sRGB 0..1.

@@ -107,7 +107,7 @@ double pressLetsGo(const BodySlot& body, double from, double to) {
     const auto isFree = [&](double t) {
         const Pose own = ownPose(body.phase, *body.shape, t);
         return std::all_of(body.phase.clear_of.begin(), body.phase.clear_of.end(), [&](const KeptClear& kept) {
-            return gapTo(kept.surface, *body.shape, own, t) > kHitGap * body.shape->length();
+            return gapTo(kept.surface, *body.shape, own, t) > 2.0 * kHitGap * body.shape->length();
         });
     };
     if (!isFree(to)) {

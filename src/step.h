@@ -5,6 +5,7 @@
 #include "elastoon/world.h"
 #include "flight.h"
 #include "obstacle_tree.h"
+#include "path.h"
 #include "watch.h"
 
 #include <array>
@@ -58,6 +59,7 @@ struct ObstacleSlot {
     ShapePtr shape;             ///< null for a plane
     Vec3 normal{0.0, 1.0, 0.0}; ///< of a plane, unit, in the frame
     MovingFrame frame;
+    Path path; ///< without keys: none
     std::uint64_t user_data = 0;
 
     [[nodiscard]] bool isPlane() const { return shape == nullptr; }

@@ -55,8 +55,13 @@ struct World::Impl {
     void fly(BodyId id, const Vec3& velocity, const std::vector<Left>& lefts);
     void follow(BodyId id, ObstacleId obstacle, const MovingFrame& frame);
     void letGo(BodyId id, ObstacleId obstacle);
+    void disturb(std::size_t obstacle);
+    void setFrame(std::size_t obstacle, const MovingFrame& frame);
+    [[nodiscard]] double nextPathChange(double to) const;
+    void followPaths();
     void takePending();
     void advanceBodies(double to);
+    void advance(double to);
 };
 
 namespace {
@@ -211,9 +216,11 @@ Result<ObstacleId> World::addObstacle(const ObstacleDef& def) {
     ++slot.generation;
     slot.shape = def.shape;
     slot.normal = glm::normalize(def.normal);
-    slot.frame = {impl_->time, def.position, unitOf(def.rotation), def.velocity, def.angular_velocity};
+    slot.path = {impl_->time, def.position, def.rotation, def.path, def.path_repeats};
+    slot.frame = frameAt(def, impl_->time, impl_->time);
     slot.user_data = def.user_data;
     impl_->around.include(index, impl_->time);
+    impl_->disturb(index);
     return idOfObstacle(index, slot);
 }
 
@@ -403,14 +410,140 @@ Status World::setObstacleMotion(ObstacleId id, const Vec3& velocity, const Vec3&
         return *error;
     }
     const double t = impl_->time;
-    obstacle->frame = {t, obstacle->frame.originAt(t), obstacle->frame.orientationAt(t), velocity, angular_velocity};
-    impl_->around.include(id.slot - 1, t);
-    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
-        if (impl_->bodies[i].used) {
-            impl_->follow(idOfBody(i, impl_->bodies[i]), id, obstacle->frame);
+    obstacle->path.keys.clear();
+    impl_->setFrame(id.slot - 1,
+                    {t, obstacle->frame.originAt(t), obstacle->frame.orientationAt(t), velocity, angular_velocity});
+    return success();
+}
+
+/// The obstacle goes on from where it is otherwise; what is on it goes along.
+void World::Impl::setFrame(std::size_t index, const MovingFrame& frame) {
+    ObstacleSlot& obstacle = around.obstacles[index];
+    obstacle.frame = frame;
+    around.include(index, time);
+    const ObstacleId id = idOfObstacle(index, obstacle);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies[i].used) {
+            follow(idOfBody(i, bodies[i]), id, frame);
         }
     }
+}
+
+/// A body at rest that the obstacle has come into flies, and is put out by the touch.
+void World::Impl::disturb(std::size_t obstacle) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const BodySlot& body = bodies[i];
+        if (!body.used || !std::holds_alternative<Rest>(body.phase.motion)) {
+            continue;
+        }
+        const auto found = overlapWith(obstacle, *body.shape, poseAt(body.phase, *body.shape, time));
+        if (found && found->depth > 1e-6 * body.shape->length()) {
+            now(idOfBody(i, body)).wake();
+        }
+    }
+}
+
+Status World::setObstaclePose(ObstacleId id, const Vec3& position, const Quat& rotation) {
+    ObstacleSlot* obstacle = impl_->find(id);
+    if (obstacle == nullptr) {
+        return kUnknownObstacle;
+    }
+    if (auto error = checkPlace(position, rotation)) {
+        return *error;
+    }
+    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+        if (impl_->bodies[i].used) {
+            impl_->letGo(idOfBody(i, impl_->bodies[i]), id);
+        }
+    }
+    obstacle->path.keys.clear();
+    obstacle->frame = {impl_->time, position, unitOf(rotation), Vec3(0.0), Vec3(0.0)};
+    impl_->around.include(id.slot - 1, impl_->time);
+    impl_->disturb(id.slot - 1);
     return success();
+}
+
+Status World::moveObstacle(ObstacleId id, const Vec3& position, const Quat& rotation, double duration) {
+    ObstacleSlot* obstacle = impl_->find(id);
+    if (obstacle == nullptr) {
+        return kUnknownObstacle;
+    }
+    if (auto error = checkPlace(position, rotation)) {
+        return *error;
+    }
+    if (!(duration > 0.0 && duration <= kMostStep)) {
+        return Error{"must be above 0 and at most 1e6 s, is " + shortNumber(duration), "duration"};
+    }
+    const double t = impl_->time;
+    Path path{
+        t, obstacle->frame.originAt(t), obstacle->frame.orientationAt(t), {{duration, position, rotation}}, false};
+    const MovingFrame frame = frameAt(path, t);
+    if (auto error = checkVector(frame.velocity, kMostSpeed, "position")) {
+        return Error{"is too far for so short a time: that would take " + shortNumber(glm::length(frame.velocity)) +
+                         " m/s, and the most is " + shortNumber(kMostSpeed),
+                     "position"};
+    }
+    obstacle->path = std::move(path);
+    impl_->setFrame(id.slot - 1, frame);
+    return success();
+}
+
+Pose Prediction::poseAt(const Shape& shape, double t) const {
+    const auto after = std::upper_bound(phases.begin(), phases.end(), t,
+                                        [](double time, const Phase& phase) { return time < phase.start; });
+    return elastoon::poseAt(after == phases.begin() ? phases.front() : *std::prev(after), shape, t);
+}
+
+Prediction World::predict(BodyId id, double horizon) const {
+    const bool valid = horizon >= 0.0 && horizon <= kMostStep;
+    ELASTOON_ASSERT(valid, "horizon must be finite, not negative, and at most 1e6 s");
+    Prediction prediction;
+    prediction.phases.push_back(impl_->known(id).phase);
+    Happenings ahead;
+    if (valid && !impl_->around.anyMoves()) {
+        BodySlot body = impl_->known(id);
+        advanceBody(impl_->around, body, id, impl_->time, impl_->time + horizon, ahead);
+    } else if (valid) {
+        // What moves must be told of the time ahead: in a world of its own, with this body alone.
+        Impl alone;
+        alone.around = impl_->around;
+        alone.time = impl_->time;
+        alone.bodies.push_back(impl_->known(id));
+        alone.advance(impl_->time + horizon);
+        ahead = {std::move(alone.events), std::move(alone.phases)};
+    }
+    for (PhaseBegun& begun : ahead.phases) {
+        prediction.phases.push_back(std::move(begun.phase));
+    }
+    prediction.events = std::move(ahead.events);
+    for (Event& event : prediction.events) {
+        event.body = id;
+    }
+    return prediction;
+}
+
+double World::Impl::nextPathChange(double to) const {
+    double next = to;
+    for (const ObstacleSlot& obstacle : around.obstacles) {
+        if (obstacle.used && !obstacle.path.keys.empty()) {
+            next = std::min(next, nextChange(obstacle.path, time));
+        }
+    }
+    return next;
+}
+
+/// Obstacles that have come to a key of their path take the next leg.
+void World::Impl::followPaths() {
+    for (std::size_t i = 0; i < around.obstacles.size(); ++i) {
+        const ObstacleSlot& obstacle = around.obstacles[i];
+        if (!obstacle.used || obstacle.path.keys.empty() || obstacle.frame.start >= time) {
+            continue;
+        }
+        const MovingFrame leg = frameAt(obstacle.path, time);
+        if (leg.start > obstacle.frame.start) {
+            setFrame(i, leg);
+        }
+    }
 }
 
 void World::Impl::takePending() {
@@ -455,16 +588,27 @@ void World::step(double dt) {
     if (!valid) {
         return;
     }
-    const double to = impl_->time + dt;
     impl_->takePending();
-    impl_->around.prepareStep(impl_->time, to);
-    impl_->advanceBodies(to);
-    std::stable_sort(impl_->events.begin(), impl_->events.end(), [](const Event& a, const Event& b) {
+    impl_->advance(impl_->time + dt);
+}
+
+/// From one change of an obstacle's motion to the next.
+void World::Impl::advance(double to) {
+    do {
+        const double until = nextPathChange(to);
+        around.prepareStep(time, until);
+        advanceBodies(until);
+        time = until;
+        followPaths();
+        events.insert(events.end(), pending.events.begin(), pending.events.end());
+        phases.insert(phases.end(), pending.phases.begin(), pending.phases.end());
+        pending = {};
+    } while (time < to);
+    std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
         return a.time < b.time || (a.time == b.time && a.body.slot < b.body.slot);
     });
-    std::stable_sort(impl_->phases.begin(), impl_->phases.end(),
+    std::stable_sort(phases.begin(), phases.end(),
                      [](const PhaseBegun& a, const PhaseBegun& b) { return a.body.slot < b.body.slot; });
-    impl_->time = to;
 }
 
 double World::time() const {

@@ -133,6 +133,68 @@ TEST(Corner, WhatIsNoLongerApproachedIsDropped) {
     EXPECT_EQ(countOf(events, EventType::Release), 1);
 }
 
+TEST(Corner, BlendedGoesBackAlongItsWay) {
+    const auto exitOf = [](double turn) {
+        World world = worldWithFloor({0, 0, 0});
+        (void)valueOf(world.addObstacle(ObstacleDef::plane({-1, 0, 0}, 0.0)));
+        const double angle = -0.25 * M_PI + turn;
+        BodyDef def = ball(1.0, {-3.0, 3.0, 0.0}, 8.0 * Vec3(std::cos(angle), std::sin(angle), 0.0));
+        def.style.corner_rule = CornerRule::Blended;
+        const BodyId body = valueOf(world.addBody(def));
+        const auto events = run(world, 2.0);
+        EXPECT_EQ(countOf(events, EventType::Impact), 1) << "both at once, turn " << turn;
+        return glm::normalize(world.velocity(body));
+    };
+    const auto degreesBetween = [](const Vec3& a, const Vec3& b) {
+        return 180.0 / M_PI * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+    };
+    const Vec3 back = exitOf(0.0);
+    EXPECT_LT(degreesBetween(back, Vec3(-std::sqrt(0.5), std::sqrt(0.5), 0.0)), 0.5);
+    for (const double turn : {1e-3, -1e-3, 1e-2, -1e-2}) {
+        EXPECT_LT(degreesBetween(exitOf(turn), back), 1000.0 * std::fabs(turn)) << turn;
+    }
+}
+
+TEST(Corner, AGrazingTouchSkipsContinuously) {
+    // Exit direction, exit time and exit place over the incidence: no jump, also where the skip begins.
+    struct Exit {
+        Vec3 position{0.0}, velocity{0.0};
+        double time = 0.0;
+        double turned = 0.0;
+    };
+    const auto exitOf = [](double degrees) {
+        World world = worldWithFloor({0, 0, 0});
+        const double a = degrees * M_PI / 180.0;
+        BodyDef def = ball(0.8, Vec3(-3.0 * std::cos(a), 3.0 * std::sin(a), 0.0) + Vec3(0, 0.6, 0),
+                           10.0 * Vec3(std::cos(a), -std::sin(a), 0.0));
+        const BodyId body = valueOf(world.addBody(def));
+        Exit exit;
+        while (exit.time == 0.0) {
+            world.step(1.0 / 240.0);
+            for (const Event& event : world.events()) {
+                exit.time = event.type == EventType::Release ? event.time : exit.time;
+            }
+            if (const auto* impact = std::get_if<Impact>(&world.phase(body).motion)) {
+                exit.turned = impact->turn_angle;
+            }
+        }
+        exit.velocity = world.velocity(body);
+        exit.position = world.pose(body).position - exit.velocity * (world.time() - exit.time);
+        return exit;
+    };
+    Exit before = exitOf(8.0);
+    for (double degrees = 8.25; degrees < 60.0; degrees += 0.25) {
+        const Exit now = exitOf(degrees);
+        EXPECT_LT(glm::length(now.velocity - before.velocity), 0.2) << degrees;
+        EXPECT_LT(std::fabs(now.time - before.time), 0.05) << degrees;
+        EXPECT_LT(std::fabs(now.position.x - before.position.x), 0.2) << degrees;
+        EXPECT_EQ(now.turned < 0.5 * M_PI + 1e-9 && degrees < 30.0, degrees < 30.0) << degrees;
+        before = now;
+    }
+    EXPECT_LT(exitOf(15.0).turned, 35.0 * M_PI / 180.0) << "a small turn";
+    EXPECT_GT(exitOf(45.0).turned, 80.0 * M_PI / 180.0) << "the forward swap";
+}
+
 /// A room of six planes, aslant, with a few solids: bodies go from corner to corner.
 struct Room {
     World world = worldWith();

@@ -61,8 +61,9 @@ private:
     int meshOf(std::size_t shape, const Vec3& color, bool patterned);
     int materialOf(const std::string& name, const Vec3& color, bool double_sided = false);
     int planeMesh(std::size_t obstacle);
-    [[nodiscard]] const MovingFrame& frameOf(std::size_t obstacle) const {
-        return staged_.world.frame(staged_.obstacles[obstacle]);
+    /// As it is at the start of the span.
+    [[nodiscard]] MovingFrame frameOf(std::size_t obstacle) const {
+        return frameAt(scene_.obstacles[obstacle].def, 0.0, span_.start);
     }
     [[nodiscard]] WorldPlane planeOf(std::size_t obstacle) const;
     [[nodiscard]] std::vector<WorldPlane> stillPlanesBut(std::size_t obstacle) const;
@@ -192,7 +193,7 @@ void GltfScene::addBodies(const std::vector<const Track*>& tracks) {
 }
 
 WorldPlane GltfScene::planeOf(std::size_t obstacle) const {
-    const MovingFrame& frame = frameOf(obstacle);
+    const MovingFrame frame = frameOf(obstacle);
     const Vec3 normal = frame.orientationAt(span_.start) * staged_.world.planeNormal(staged_.obstacles[obstacle]);
     return {frame.originAt(span_.start), normal};
 }
@@ -201,7 +202,8 @@ WorldPlane GltfScene::planeOf(std::size_t obstacle) const {
 std::vector<WorldPlane> GltfScene::stillPlanesBut(std::size_t obstacle) const {
     std::vector<WorldPlane> planes;
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
-        if (i != obstacle && !scene_.obstacles[i].shape && !frameOf(i).moves() && !frameOf(obstacle).moves()) {
+        if (i != obstacle && !scene_.obstacles[i].shape && !scene_.obstacles[i].def.moves() &&
+            !scene_.obstacles[obstacle].def.moves()) {
             planes.push_back(planeOf(i));
         }
     }
@@ -209,7 +211,7 @@ std::vector<WorldPlane> GltfScene::stillPlanesBut(std::size_t obstacle) const {
 }
 
 int GltfScene::planeMesh(std::size_t obstacle) {
-    const MovingFrame& frame = frameOf(obstacle);
+    const MovingFrame frame = frameOf(obstacle);
     const Vec3 normal = staged_.world.planeNormal(staged_.obstacles[obstacle]);
     const auto single = [](const Vec3& v) {
         return std::array{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -249,7 +251,8 @@ void GltfScene::addObstacles() {
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
         const SceneObstacle& obstacle = scene_.obstacles[i];
         const int mesh = obstacle.shape ? meshOf(*obstacle.shape, obstacle.color, false) : planeMesh(i);
-        addNode(obstacle.name, mesh, motionOf(frameOf(i), span_), frameOf(i).moves() ? Moves::Rigidly : Moves::Nothing);
+        addNode(obstacle.name, mesh, motionOf(obstacle.def, span_),
+                obstacle.def.moves() ? Moves::Rigidly : Moves::Nothing);
     }
 }
 

@@ -92,9 +92,23 @@ MotionKeys motionOf(const Track& track, const MotionSpan& span) {
     return keys;
 }
 
-MotionKeys motionOf(const MovingFrame& frame, const MotionSpan& span) {
+MotionKeys motionOf(const ObstacleDef& obstacle, const MotionSpan& span) {
+    std::vector<Candidate> candidates = frameCandidates(span);
+    const double lap = obstacle.path.empty() ? span.end : obstacle.path.back().time;
+    for (double start = 0.0; start < span.end && !obstacle.path.empty(); start += lap) {
+        for (const PathKey& key : obstacle.path) {
+            const double time = start + key.time - span.start;
+            if (time > 0.0 && time < span.end - span.start) {
+                candidates.push_back({time, true});
+            }
+        }
+        if (!obstacle.path_repeats) {
+            break;
+        }
+    }
     MotionKeys keys;
-    for (const double time : merged(frameCandidates(span))) {
+    for (const double time : merged(std::move(candidates))) {
+        const MovingFrame frame = frameAt(obstacle, 0.0, span.start + time);
         addKey(keys, time, {frame.originAt(span.start + time), frame.orientationAt(span.start + time), 1.0});
     }
     return keys;

@@ -30,7 +30,7 @@ struct MotionSpan {
 /// A body's motion: exact at every key.
 [[nodiscard]] MotionKeys motionOf(const Track& track, const MotionSpan& span);
 
-/// A rigid frame's motion.
-[[nodiscard]] MotionKeys motionOf(const MovingFrame& frame, const MotionSpan& span);
+/// The motion of an obstacle that was added at time 0: also exact at the keys of its path.
+[[nodiscard]] MotionKeys motionOf(const ObstacleDef& obstacle, const MotionSpan& span);
 
 } // namespace elastoon

@@ -58,7 +58,23 @@ struct Plane {
 };
 
 /// Where a plane of the scene is at time t, from its definition alone.
-Plane planeAt(const ObstacleDef& def, double t) {
+/// The leg of its path that an obstacle is on, as an obstacle of its own, and the time since that leg began.
+std::pair<ObstacleDef, double> legAt(const ObstacleDef& def, double t) {
+    if (def.path.empty()) {
+        return {def, t};
+    }
+    const MovingFrame frame = frameAt(def, 0.0, t);
+    ObstacleDef leg = def;
+    leg.path.clear();
+    leg.position = frame.origin;
+    leg.rotation = frame.orientation;
+    leg.velocity = frame.velocity;
+    leg.angular_velocity = frame.angular_velocity;
+    return {leg, t - frame.start};
+}
+
+Plane planeAt(const ObstacleDef& whole, double time) {
+    const auto [def, t] = legAt(whole, time);
     const RealVec given = product(rotationOf(glm::normalize(def.rotation)), realOf(glm::normalize(def.normal)));
     const RealVec normal = turned(given, realOf(def.angular_velocity), t);
     const RealVec start = realOf(def.position);
@@ -142,7 +158,8 @@ const SolidWitness& Inspector::witnessOf(const ShapePtr& shape) {
 }
 
 /// Where a solid of the scene has its vertices at time t, from its definition alone.
-std::vector<RealVec> solidAt(const ObstacleDef& def, double t) {
+std::vector<RealVec> solidAt(const ObstacleDef& whole, double time) {
+    const auto [def, t] = legAt(whole, time);
     std::vector<RealVec> vertices;
     const RealMat rotation = rotationOf(glm::normalize(def.rotation));
     for (const Vec3& vertex : def.shape->vertices()) {

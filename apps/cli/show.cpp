@@ -82,7 +82,7 @@ void addSolids(const Scene& scene, std::vector<Vec3>& points) {
         if (shape->boundingRadius() > action.radius() || distance > 1.5 * action.radius()) {
             continue;
         }
-        const MovingFrame frame = frameOf(obstacle.def);
+        const MovingFrame frame = frameAt(obstacle.def, 0.0, 0.0);
         for (const Vec3& vertex : shape->vertices()) {
             points.push_back(frame.worldFromFrame(0.0, vertex));
         }
@@ -90,15 +90,6 @@ void addSolids(const Scene& scene, std::vector<Vec3>& points) {
 }
 
 } // namespace
-
-MovingFrame frameOf(const ObstacleDef& obstacle) {
-    MovingFrame frame;
-    frame.origin = obstacle.position;
-    frame.orientation = glm::normalize(obstacle.rotation);
-    frame.velocity = obstacle.velocity;
-    frame.angular_velocity = obstacle.angular_velocity;
-    return frame;
-}
 
 std::vector<Vec3> actionPoints(const Scene& scene, const Timeline& timeline, const ShowSpan& span) {
     const Vec3 up = upOf(scene.gravity);
@@ -160,7 +151,7 @@ void Show::placeAt(double t) {
     std::vector<Thing> solids;
     for (std::size_t i = 0; i < scene_->obstacles.size(); ++i) {
         const SceneObstacle& obstacle = scene_->obstacles[i];
-        const MovingFrame frame = frameOf(obstacle.def);
+        const MovingFrame frame = frameAt(obstacle.def, 0.0, t);
         if (obstacle.shape) {
             solids.push_back(
                 {obstacle_meshes_[i], {frame.originAt(t), frame.orientationAt(t), 1.0}, thingColors(obstacle.color)});
@@ -182,7 +173,7 @@ void Show::placeAt(double t) {
 
 bool Show::obstaclesMove() const {
     return std::any_of(scene_->obstacles.begin(), scene_->obstacles.end(),
-                       [](const SceneObstacle& obstacle) { return frameOf(obstacle.def).moves(); });
+                       [](const SceneObstacle& obstacle) { return obstacle.def.moves(); });
 }
 
 void Show::setTime(double t) {

@@ -52,7 +52,4 @@ private:
 /// Points that hold all that bodies do in the span, and the ground under them: what a camera has to frame.
 [[nodiscard]] std::vector<Vec3> actionPoints(const Scene& scene, const Timeline& timeline, const ShowSpan& span);
 
-/// The frame that carries an obstacle of the scene.
-[[nodiscard]] MovingFrame frameOf(const ObstacleDef& obstacle);
-
 } // namespace elastoon

@@ -37,6 +37,13 @@ struct BodyDef {
     std::uint64_t user_data = 0;   ///< yours; not read
 };
 
+/// A place on an obstacle's path.
+struct PathKey {
+    double time = 0.0; ///< s after the obstacle was added; ascending, > 0
+    Vec3 position{0.0};
+    Quat rotation{kNoRotation};
+};
+
 /// A plane (shape empty) or a convex solid that bodies meet. It does not give way.
 struct ObstacleDef {
     ShapePtr shape;             ///< empty: the half space below the plane through `position`, across `normal`
@@ -45,17 +52,22 @@ struct ObstacleDef {
     Quat rotation{kNoRotation}; ///< any length but zero
     Vec3 velocity{0.0};         ///< m/s, within +-1e6
     Vec3 angular_velocity{0.0}; ///< world axes, rad/s, within +-1e4
+    /// From where it is added it goes from key to key, between two with constant velocity and by the smallest turn; at
+    /// the last it stops. Not empty: velocity and angular_velocity are not read.
+    std::vector<PathKey> path;
+    bool path_repeats = false; ///< from the last key it jumps back to where it was added: make the two the same place
     std::uint64_t user_data = 0;
 
+    [[nodiscard]] bool moves() const;
     /// The plane { x : x . normal = offset }, solid on the side that the normal points away from.
     [[nodiscard]] static ObstacleDef plane(const Vec3& normal, double offset);
 };
 
 enum class EventType : std::uint8_t {
-    Impact,  ///< a touch began an impact
+    Impact, ///< a touch began an impact
     Release, ///< an impact ended and the body flies
-    Rest,    ///< an impact ended and the body is still
-    Wake,    ///< a body at rest flies again
+    Rest, ///< an impact ended and the body is still
+    Wake, ///< a body at rest flies again
     Squeeze, ///< a body has no room left
 };
 
@@ -68,18 +80,21 @@ struct Event {
     EventType type = EventType::Impact;
     BodyId body;
     ObstacleId other;
-    Vec3 point{0.0};  ///< contact, world
+    Vec3 point{0.0}; ///< contact, world
     Vec3 normal{0.0}; ///< towards the body, world
     double speed = 0.0; ///< relative to the surface: before the impact, or after it for Release, m/s
     double s_in = 1.0, s_mid = 1.0, s_out = 1.0;
     double t_in = 0.0, t_out = 0.0;
 };
 
+/// How the obstacle of this definition, added at time `added`, moves at time t if nobody changes it.
+[[nodiscard]] MovingFrame frameAt(const ObstacleDef& def, double added, double t);
+
 /// How a body would start inside an obstacle.
 struct Overlap {
     ObstacleId obstacle;
     double depth = 0.0; ///< m
-    Vec3 normal{0.0};   ///< way out, unit
+    Vec3 normal{0.0}; ///< way out, unit
 };
 
 /// A phase that began in the last step: the chain of them is the body's whole motion.
@@ -88,8 +103,15 @@ struct PhaseBegun {
     Phase phase;
 };
 
+/// What a body will do. Each phase holds until the next begins; the first one holds now.
+struct Prediction {
+    std::vector<Phase> phases;
+    std::vector<Event> events; ///< the first impact among them is the first touch
+    /// The body's pose at time t, from now to the horizon.
+    [[nodiscard]] Pose poseAt(const Shape& shape, double t) const;
+};
+
 /// Bodies do not meet each other; obstacles do not react. Not thread-safe: one call at a time on one world.
-/// One contact at a time: a body in an impact with one obstacle may enter another until that impact ends.
 class World {
 public:
     /// Gravity that is not finite or too large is refused.
@@ -124,8 +146,17 @@ public:
     Status setStyle(BodyId id, const Style& style);
     /// Flights go on under the new gravity.
     Status setGravity(const Vec3& gravity);
-    /// The obstacle goes on from where it is with these velocities; bodies on it go along.
+    /// The obstacle goes on from where it is with these velocities, and leaves its path; bodies on it go along.
     Status setObstacleMotion(ObstacleId id, const Vec3& velocity, const Vec3& angular_velocity);
+
+    /// The obstacle is there from now on and stands still. What rested on it stays behind.
+    Status setObstaclePose(ObstacleId id, const Vec3& position, const Quat& rotation);
+    /// The obstacle goes there within `duration` s (> 0), with constant velocity and by the smallest turn, and stops.
+    Status moveObstacle(ObstacleId id, const Vec3& position, const Quat& rotation, double duration);
+
+    /// The body's coming phases and events up to `horizon` s from now, as far as nothing is changed meanwhile. The
+    /// world stays as it is. The id must be one that contains() knows; horizon: finite, >= 0.
+    [[nodiscard]] Prediction predict(BodyId id, double horizon) const;
 
     /// Moves the world on by dt seconds. docs/step.md tells how. dt: finite, >= 0 (else nothing happens; asserts).
     void step(double dt);
