@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -64,6 +66,21 @@ TEST(NamedStyle, AllAreWithinTheTablesRanges) {
             EXPECT_GE(value, parameter.minimum - 1e-9) << named.name << ' ' << parameter.name;
             EXPECT_LE(value, parameter.maximum + 1e-9) << named.name << ' ' << parameter.name;
         }
+    }
+}
+
+TEST(NamedStyle, TheDocumentsShowThem) {
+    const auto textOf = [](const char* page) {
+        std::ifstream stream(std::string(ELASTOON_SOURCE_DIR "/docs/") + page);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    const std::string gallery = textOf("gallery.md"), scene = textOf("scene.md");
+    for (const NamedStyle& named : namedStyles()) {
+        std::string line(named.description);
+        line[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(line[0])));
+        EXPECT_NE(gallery.find("### " + std::string(named.name) + "\n" + line + ".\n"), std::string::npos)
+            << named.name;
+        EXPECT_NE(scene.find(std::string(named.name)), std::string::npos) << named.name;
     }
 }
 
