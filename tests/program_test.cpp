@@ -1,4 +1,6 @@
 // The program as users run it: exit codes, messages, hashes, files that appear whole or not at all.
+#include "elastoon/style.h"
+
 #include "mesh_support.h"
 #include "test_support.h"
 
@@ -238,6 +240,14 @@ TEST_F(Program, CheckPassesTheScenes) {
                               "figures/3-soft-cylinder.json", "stairs.json"}) {
         const Ran ran = run("check --fps 30 --duration 2.5 " + scenePath(scene));
         EXPECT_EQ(ran.code, 0) << ran.output;
+    }
+}
+
+TEST_F(Program, CheckPassesEveryStyle) {
+    for (const std::string_view style : styleNames()) {
+        const Ran ran =
+            run("check --duration 3.5 --style " + std::string(style) + " " + scenePath("styles-stage.json"));
+        EXPECT_EQ(ran.code, 0) << style << "\n" << ran.output;
     }
 }
 
