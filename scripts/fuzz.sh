@@ -24,11 +24,13 @@ done
 out=build/fuzz
 mkdir -p "$out/findings" "$out/objects"
 flags=(-std=c++20 -O1 -g1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=address,undefined
-  -fno-sanitize-recover=all -Wno-deprecated-declarations -Iinclude -Isrc -Iapps/cli -Itests -Ifuzz)
+  -fno-sanitize-recover=all -Wno-deprecated-declarations -Iinclude -Isrc -Iapps/cli -Itests -Ifuzz -I"$out")
 # assimp is not sanitized, and not what is looked at: see fuzz/mesh_fuzz.cpp.
 libraries=(-Wl,--as-needed -lassimp -lfmt)
+cmake -D FOLDER=scenes/styles -D OUTPUT="$out/style_table.inc" -P scripts/style_table.cmake
 ccache=$(command -v ccache || true)
-shared=$(ls -t include/elastoon/*.h src/*.h apps/cli/*.h tests/*.h fuzz/*.h scripts/fuzz.sh | head -n 1)
+shared=$(ls -t include/elastoon/*.h src/*.h apps/cli/*.h tests/*.h fuzz/*.h scenes/styles/*.json scripts/fuzz.sh |
+  head -n 1)
 
 # Whether the file is newer than what it is made of; any header counts.
 fresh() {

@@ -42,6 +42,7 @@ private:
     Result<ShapePtr> makeMesh(const Json& value, const std::string& path, SceneShape& into);
     void readStyles(const Json& styles);
     Style readStyle(const Json& value, const std::string& path);
+    Style styleOf(const Json& value, const std::string& path);
     void readBodies(const Json& bodies);
     void readObstacles(const Json& obstacles);
     void readPath(const Json& keys, const std::string& path, ObstacleDef& def);
@@ -229,6 +230,23 @@ Style SceneReader::readStyle(const Json& value, const std::string& path) {
     return style;
 }
 
+/// A style of the scene, or one that comes with the library; the scene's own comes first.
+Style SceneReader::styleOf(const Json& value, const std::string& path) {
+    const std::string name = json_.text(value, path);
+    const auto found = std::find(style_names_.begin(), style_names_.end(), name);
+    if (found != style_names_.end()) {
+        return styles_[static_cast<std::size_t>(found - style_names_.begin())];
+    }
+    const std::optional<Style> style = styleNamed(name);
+    if (!style) {
+        std::vector<std::string_view> known(style_names_.begin(), style_names_.end());
+        const std::vector<std::string_view> built_in = styleNames();
+        known.insert(known.end(), built_in.begin(), built_in.end());
+        json_.fail(path, "there is no style \"" + name + "\"" + suggestion(name, known) + "; known: " + listOf(known));
+    }
+    return style.value_or(Style{});
+}
+
 std::string SceneReader::nameFor(const Json& value, const std::string& path, const std::string& otherwise,
                                  std::vector<std::string>& taken) {
     std::string name = otherwise;
@@ -275,16 +293,7 @@ void SceneReader::readBodies(const Json& bodies) {
         if (const Json* shape = json_.required(value, path, "shape")) {
             body.shape = shapeIndex(*shape, path + "/shape");
         }
-        optional(value, path, "style", [&](const Json& v, const std::string& p) {
-            const std::string name = json_.text(v, p);
-            const auto found = std::find(style_names_.begin(), style_names_.end(), name);
-            if (found == style_names_.end()) {
-                const std::vector<std::string_view> known(style_names_.begin(), style_names_.end());
-                json_.fail(p, "there is no style \"" + name + "\" in /styles" + suggestion(name, known));
-                return;
-            }
-            body.def.style = styles_[static_cast<std::size_t>(found - style_names_.begin())];
-        });
+        optional(value, path, "style", [&](const Json& v, const std::string& p) { body.def.style = styleOf(v, p); });
         optional(value, path, "position",
                  [&](const Json& v, const std::string& p) { body.def.position = json_.vector(v, p, kMostPosition); });
         optional(value, path, "velocity",

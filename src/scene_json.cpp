@@ -118,14 +118,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-std::string listOf(std::span<const std::string_view> words) {
-    std::string text;
-    for (const std::string_view word : words) {
-        text += (text.empty() ? "" : ", ") + std::string(word);
-    }
-    return text;
-}
-
 } // namespace
 
 Result<Json> parseJson(std::string_view text, const std::string& file) {
@@ -147,6 +139,14 @@ std::string pathPart(std::string_view key) {
 
 std::string pathPart(std::size_t index) {
     return "/" + std::to_string(index);
+}
+
+std::string listOf(std::span<const std::string_view> words) {
+    std::string text;
+    for (const std::string_view word : words) {
+        text += (text.empty() ? "" : ", ") + std::string(word);
+    }
+    return text;
 }
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> known) {

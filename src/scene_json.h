@@ -61,6 +61,9 @@ private:
 [[nodiscard]] std::string pathPart(std::string_view key);
 [[nodiscard]] std::string pathPart(std::size_t index);
 
+/// The words with commas between them.
+[[nodiscard]] std::string listOf(std::span<const std::string_view> words);
+
 /// The known word that is nearest to a mistyped one, as " (did you mean ...?)", or nothing.
 [[nodiscard]] std::string suggestion(std::string_view word, std::span<const std::string_view> known);
 

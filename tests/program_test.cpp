@@ -1,4 +1,6 @@
 // The program as users run it: exit codes, messages, hashes, files that appear whole or not at all.
+#include "elastoon/style.h"
+
 #include "mesh_support.h"
 #include "test_support.h"
 
@@ -149,6 +151,14 @@ TEST_F(Program, BadUseExitsWithTwoAndOneMessage) {
         {"render " + good + " --strobe -o " + path("x.png") + " --size 10", "--size"},
         {"render " + good + " --strobe -o " + path("x.png") + " --samples 0", "--samples"},
         {"render " + good + " -o " + path("x.mp4") + " --frames 9:3", "--frames"},
+        {"render " + good + " --sheet 3 -o " + path("x.png"), "--sheet"},
+        {"render " + good + " --sheet 0x3 -o " + path("x.png"), "--sheet"},
+        {"render " + good + " --sheet 900x1 -o " + path("x.png"), "--sheet"},
+        {"render " + good + " --sheet 3x3 --strobe -o " + path("x.png"), "needs one of"},
+        {"render " + good + " --sheet 3x3 -o " + path("x.gif"), "--sheet"},
+        {"render " + good + " --strobe --ghosts 2 -o " + path("x.png"), "--ghosts"},
+        {"render " + good + " --strobe --fps 24 -o " + path("x.png"), "--fps"},
+        {"simulate " + good + " --style jely", "known: anvil"},
         {"figures", "-o"},
     };
     for (const auto& [arguments, says] : cases) {
@@ -157,6 +167,35 @@ TEST_F(Program, BadUseExitsWithTwoAndOneMessage) {
         EXPECT_NE(ran.output.find(says), std::string::npos) << arguments << "\n" << ran.output;
     }
     EXPECT_EQ(fileCount(), files) << "nothing was written";
+}
+
+TEST_F(Program, StyleIsGivenToEveryBody) {
+    const std::string scene = "simulate --duration 1 " + scenePath("hello.json");
+    const std::string own = hashOf(run(scene).output), jelly = hashOf(run(scene + " --style jelly").output);
+    EXPECT_EQ(jelly.size(), 16U);
+    EXPECT_NE(jelly, own);
+    EXPECT_NE(jelly, hashOf(run(scene + " --style anvil").output));
+}
+
+TEST_F(Program, SheetTakesEveryNthFrameThatFits) {
+    const std::string sheet =
+        "render " + scenePath("hello.json") + " --samples 1 --size 160x90 --sheet 3x2 --fps 24 -o ";
+    const std::pair<const char*, const char*> cases[] = {
+        {"0:6", "6 frames"}, {"0:7", "4 frames"}, {"10:12", "2 frames"}, {"0:48", "6 frames"}};
+    for (const auto& [frames, says] : cases) {
+        const Ran ran = run(sheet + path("s.png") + " --ghosts 1 --frames " + frames);
+        EXPECT_EQ(ran.code, 0) << ran.output;
+        EXPECT_NE(ran.output.find(says), std::string::npos) << ran.output;
+    }
+    EXPECT_EQ(fileCount(), 1U);
+}
+
+TEST_F(Program, FiguresAreMade) {
+    const Ran ran =
+        run("figures --no-video --samples 1 --only 5 6 7 8 --scenes " + scenePath("figures") + " -o " + path(""));
+    EXPECT_EQ(ran.code, 0) << ran.output;
+    EXPECT_EQ(fileCount(), 4U) << ran.output;
+    EXPECT_NE(ran.output.find("figure 8: not yet"), std::string::npos);
 }
 
 TEST_F(Program, UnwritableOutputExitsWithOne) {
@@ -201,6 +240,14 @@ TEST_F(Program, CheckPassesTheScenes) {
                               "figures/3-soft-cylinder.json", "stairs.json"}) {
         const Ran ran = run("check --fps 30 --duration 2.5 " + scenePath(scene));
         EXPECT_EQ(ran.code, 0) << ran.output;
+    }
+}
+
+TEST_F(Program, CheckPassesEveryStyle) {
+    for (const std::string_view style : styleNames()) {
+        const Ran ran =
+            run("check --duration 3.5 --style " + std::string(style) + " " + scenePath("styles-stage.json"));
+        EXPECT_EQ(ran.code, 0) << style << "\n" << ran.output;
     }
 }
 

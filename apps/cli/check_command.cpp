@@ -11,7 +11,7 @@ namespace elastoon {
 namespace {
 
 struct CheckOptions {
-    std::string scene;
+    std::string scene, style;
     double fps = 240.0;
     double duration = -1.0;
 };
@@ -27,7 +27,7 @@ bool printRow(const char* what, const Worst& worst, double bound, const char* un
 }
 
 void check(const CheckOptions& options) {
-    const Scene scene = loadScene(options.scene);
+    const Scene scene = loadScene(options.scene, options.style);
     const double duration = options.duration < 0.0 ? scene.duration : options.duration;
     const Performance performance = perform(scene, duration);
     const OracleReport report = inspect(scene, performance.staged, performance.timeline, options.fps);
@@ -55,6 +55,7 @@ void addCheckCommand(CLI::App& app) {
         ->check(between(1.0, 100000.0))
         ->capture_default_str();
     command->add_option("--duration", options->duration, "Seconds; default: the scene's")->check(between(0.0, 86400.0));
+    addStyleOption(*command, options->style);
     command->callback([options] { check(*options); });
 }
 

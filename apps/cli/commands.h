@@ -35,8 +35,12 @@ T orFail(Result<T> result, int code = kExitFailed) {
     return std::move(result).value();
 }
 
-/// Reads a scene with mesh support; ends the command with code 2 on bad input.
-[[nodiscard]] Scene loadScene(const std::string& file);
+/// Reads a scene with mesh support; ends the command with code 2 on bad input. Where `style` is not empty, every body
+/// gets the library's style of that name.
+[[nodiscard]] Scene loadScene(const std::string& file, const std::string& style = {});
+
+/// Adds the option --style, for loadScene().
+void addStyleOption(CLI::App& command, std::string& style);
 
 /// What a scene did from 0 to `duration`, in phases.
 struct Performance {

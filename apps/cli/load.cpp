@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,12 @@ CLI::Validator between(double least, double most) {
         range);
 }
 
-Scene loadScene(const std::string& file) {
+void addStyleOption(CLI::App& command, std::string& style) {
+    const std::string names = fmt::format("{}", fmt::join(styleNames(), ", "));
+    command.add_option("--style", style, "Gives every body this style: " + names)->option_text("NAME");
+}
+
+Scene loadScene(const std::string& file, const std::string& style) {
     std::vector<TriangleMesh> meshes;
     const auto readPoints = [&](const std::string& path) -> Result<std::vector<Vec3>> {
         auto mesh = readMesh(path);
@@ -49,6 +55,16 @@ Scene loadScene(const std::string& file) {
             const std::string note = hullNote(shape.name, shape.mesh_file, meshes[next], shape.shape->volume());
             fmt::print(stderr, "{}{}", note, note.empty() ? "" : "\n");
             ++next;
+        }
+    }
+    if (!style.empty()) {
+        const std::optional<Style> named = styleNamed(style);
+        if (!named) {
+            fail({fmt::format("there is no style \"{}\"; known: {}", style, fmt::join(styleNames(), ", ")), "--style"},
+                 kExitBadUse);
+        }
+        for (SceneBody& body : scene.bodies) {
+            body.def.style = *named;
         }
     }
     return scene;

@@ -33,7 +33,7 @@ Moment::Moment(const Backdrop& backdrop, std::span<const Thing> things, const La
     : backdrop_(backdrop),
       all_(joined(things, backdrop.solids)),
       scene_(*backdrop.meshes, backdrop.setting, all_),
-      shader_(backdrop.setting, scene_),
+      shader_(backdrop.setting, scene_, things.size()),
       count_(things.size()),
       bounds_(scene_.bounds().data(), count_),
       samples_(options.samples > 0 ? options.samples : backdrop.options.samples),
@@ -59,7 +59,7 @@ Work Moment::workAt(int x, int y) const {
     if (!shadows_ || seen.normal == glm::vec3(0.0F)) {
         return Work::None;
     }
-    switch (reachOf(backdrop_.setting, bounds_, seen.point, seen.normal)) {
+    switch (reachOf(backdrop_.setting, shader_.first(), seen.point, seen.normal)) {
     case Reach::None:
         return Work::None;
     case Reach::Far:
@@ -86,7 +86,7 @@ Color Moment::shareAt(const Seen& seen, std::uint32_t seed) const {
     if (!shadows_ || seen.normal == glm::vec3(0.0F)) {
         return Color(1.0F);
     }
-    const Color share = shader_.softShare(seen.point, seen.normal, count_, seed, static_cast<std::uint32_t>(samples_));
+    const Color share = shader_.softShare(seen.point, seen.normal, seed, static_cast<std::uint32_t>(samples_));
     return glm::mix(Color(1.0F), share, seen.presence);
 }
 

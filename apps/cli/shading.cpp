@@ -43,24 +43,22 @@ float highPower(float x) {
     return x;
 }
 
-/// Whether the key light can be hidden from the point by any but `self`.
-bool mayShade(const Setting& setting, std::span<const Bound> bounds, const glm::vec3& point, std::size_t self) {
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-        if (i == self) {
-            continue;
-        }
-        const glm::vec3 to = bounds[i].centre - point;
-        const float along = glm::dot(to, setting.to_light);
-        if (along < -bounds[i].radius) {
-            continue;
-        }
-        const glm::vec3 aside = to - setting.to_light * along;
-        const float reach = bounds[i].radius * 1.01F + std::max(along, 0.0F) * (kLightSpread * 1.01F);
-        if (glm::dot(aside, aside) < reach * reach) {
-            return true;
-        }
+/// Whether a ball can hide the key light from the point, or a part of it.
+bool mayShade(const Setting& setting, const Bound& bound, const glm::vec3& point) {
+    const glm::vec3 to = bound.centre - point;
+    const float along = glm::dot(to, setting.to_light);
+    if (along < -bound.radius) {
+        return false;
     }
-    return false;
+    const glm::vec3 aside = to - setting.to_light * along;
+    const float reach = bound.radius * 1.01F + std::max(along, 0.0F) * (kLightSpread * 1.01F);
+    return glm::dot(aside, aside) < reach * reach;
+}
+
+/// Whether the key light can be hidden from the point by any but `self`.
+bool mayShade(const Setting& setting, const BoundGroups& bounds, const glm::vec3& point, std::size_t self) {
+    return bounds.any([&](const BoundGroup& group) { return mayShade(setting, group.ball, point); },
+                      [&](std::size_t i) { return i != self && mayShade(setting, bounds.bounds()[i], point); });
 }
 
 /// Share of the sky over the point that a ball hides.
@@ -81,26 +79,33 @@ float nearness(const Bound& bound, const glm::vec3& point) {
     return std::clamp((kFarAway - distance) / (kFarAway - kNear), 0.0F, 1.0F);
 }
 
-bool anyNear(std::span<const Bound> bounds, const glm::vec3& point, std::size_t self) {
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-        if (i != self && nearness(bounds[i], point) > 0.0F) {
-            return true;
-        }
-    }
-    return false;
+bool anyNear(const BoundGroups& bounds, const glm::vec3& point, std::size_t self) {
+    const auto may_be = [&](const BoundGroup& group) {
+        const float reach = group.ball.radius + kFarAway * group.largest;
+        const glm::vec3 to = group.ball.centre - point;
+        return glm::dot(to, to) < reach * reach;
+    };
+    return bounds.any(may_be, [&](std::size_t i) { return i != self && nearness(bounds.bounds()[i], point) > 0.0F; });
 }
 
-float greatestHidden(std::span<const Bound> bounds, const glm::vec3& point, const glm::vec3& normal) {
+float greatestHidden(const BoundGroups& bounds, const glm::vec3& point, const glm::vec3& normal) {
     float most = 0.0F;
-    for (const Bound& bound : bounds) {
-        most = std::max(most, hiddenBy(bound, point, normal));
+    for (const BoundGroup& group : bounds.groups()) {
+        const float nearest = glm::length(group.ball.centre - point) - group.ball.radius;
+        const float worth = std::max(most, 0.25F * kLeastHidden);
+        if (nearest > 0.0F && group.largest_mean * group.largest_mean < worth * nearest * nearest) {
+            continue;
+        }
+        for (const std::uint32_t index : group.members) {
+            most = std::max(most, hiddenBy(bounds.bounds()[index], point, normal));
+        }
     }
     return most;
 }
 
 } // namespace
 
-Reach reachOf(const Setting& setting, std::span<const Bound> bounds, const glm::vec3& point, const glm::vec3& normal) {
+Reach reachOf(const Setting& setting, const BoundGroups& bounds, const glm::vec3& point, const glm::vec3& normal) {
     if (anyNear(bounds, point, kNoThing) || mayShade(setting, bounds, point, kNoThing)) {
         return Reach::Near;
     }
@@ -143,8 +148,8 @@ Color Shader::nearChange(const glm::vec3& point, const glm::vec3& normal, bool t
     }
     const glm::vec3 foot = ray.origin + ray.direction * ground.distance;
     const glm::vec3& up = setting_.up;
-    Color light = skyIrradiance(setting_, up) * (1.0F - greatestHidden(things_.bounds(), foot, up));
-    if (!mayShade(setting_, things_.bounds(), foot, kNoThing)) {
+    Color light = skyIrradiance(setting_, up) * (1.0F - greatestHidden(all_, foot, up));
+    if (!mayShade(setting_, all_, foot, kNoThing)) {
         light += keyIrradiance(setting_, up);
     } else {
         light += keyIrradiance(setting_, up) * keyVisible(foot, up, {key.pixel ^ BounceUse, key.index});
@@ -152,19 +157,29 @@ Color Shader::nearChange(const glm::vec3& point, const glm::vec3& normal, bool t
     return open * (light / openIrradiance(up) - 1.0F);
 }
 
-Color Shader::farChange(std::span<const Bound> bounds, const glm::vec3& point, const glm::vec3& normal,
+Color Shader::farChange(const BoundGroups& bounds, const glm::vec3& point, const glm::vec3& normal,
                         std::size_t self) const {
+    constexpr float kWayOff = 3.0F; // radii of a group, from where it is one ball: the difference is not to be seen
     float hidden = 0.0F;
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-        if (i != self) {
-            hidden += hiddenBy(bounds[i], point, normal) * (1.0F - nearness(bounds[i], point));
+    for (const BoundGroup& group : bounds.groups()) {
+        const glm::vec3 to = group.ball.centre - point;
+        const float off = kWayOff * group.ball.radius;
+        if (group.members.size() > 1 && glm::dot(to, to) > off * off) {
+            hidden += hiddenBy(group.ball, point, normal);
+            continue;
+        }
+        for (const std::uint32_t index : group.members) {
+            if (index != self) {
+                const Bound& bound = bounds.bounds()[index];
+                hidden += hiddenBy(bound, point, normal) * (1.0F - nearness(bound, point));
+            }
         }
     }
     return skyIrradiance(setting_, normal) * (-0.8F * std::min(hidden, 0.8F));
 }
 
 Color Shader::irradiance(const glm::vec3& point, const glm::vec3& normal, std::size_t self, SampleKey key) const {
-    const std::vector<Bound>& bounds = things_.bounds();
+    const BoundGroups& bounds = all_;
     Color light = skyIrradiance(setting_, normal) + farChange(bounds, point, normal, self);
     const Color direct = keyIrradiance(setting_, normal);
     if (direct.g > 0.0F) {
@@ -182,9 +197,9 @@ Color Shader::irradiance(const glm::vec3& point, const glm::vec3& normal, std::s
     return glm::max(light, Color(0.0F));
 }
 
-Color Shader::softShare(const glm::vec3& point, const glm::vec3& normal, std::size_t count, std::uint32_t pixel,
+Color Shader::softShare(const glm::vec3& point, const glm::vec3& normal, std::uint32_t pixel,
                         std::uint32_t samples) const {
-    const std::span<const Bound> bounds(things_.bounds().data(), count);
+    const BoundGroups& bounds = first_;
     Color light = skyIrradiance(setting_, normal) + farChange(bounds, point, normal, kNoThing);
     Color direct = keyIrradiance(setting_, normal);
     if (direct.g > 0.0F && mayShade(setting_, bounds, point, kNoThing)) {

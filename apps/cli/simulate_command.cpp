@@ -20,7 +20,7 @@ namespace elastoon {
 namespace {
 
 struct SimulateOptions {
-    std::string scene;
+    std::string scene, style;
     double fps = 60.0;
     double duration = -1.0;
     int threads = 1;
@@ -90,7 +90,7 @@ double run(const SimulateOptions& options, double duration, Performance& perform
 
 void simulate(const SimulateOptions& options) {
     checkOutputs(options);
-    const Scene scene = loadScene(options.scene);
+    const Scene scene = loadScene(options.scene, options.style);
     const double duration = options.duration < 0.0 ? scene.duration : options.duration;
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.threads));
@@ -128,6 +128,7 @@ void addSimulateCommand(CLI::App& app) {
     command->add_option("-o,--output", options->outputs,
                         "File to write, by its ending: .csv poses, .json recording, .glb animation; may be repeated");
     command->add_option("--events", options->events, "Event file to write (.csv)");
+    addStyleOption(*command, options->style);
     command->callback([options] { simulate(*options); });
 }
 

@@ -48,7 +48,7 @@ Seen seenAt(const Backdrop& backdrop, const RayScene& scene, int x, int y) {
     return {point, wall.normal, wallPresence(setting, wall, point)};
 }
 
-bool isPlain(const Backdrop& backdrop, const RayScene& solids_alone, int x, int y) {
+bool isPlain(const Backdrop& backdrop, const BoundGroups& solids, int x, int y) {
     const PictureSize size = backdrop.size;
     const std::vector<Seen>& seen = backdrop.seen;
     const Seen& middle = seen[backdrop.picture.index(x, y)];
@@ -60,7 +60,7 @@ bool isPlain(const Backdrop& backdrop, const RayScene& solids_alone, int x, int 
         }
     }
     return middle.normal == glm::vec3(0.0F) ||
-           reachOf(backdrop.setting, solids_alone.bounds(), middle.point, middle.normal) != Reach::Near;
+           reachOf(backdrop.setting, solids, middle.point, middle.normal) != Reach::Near;
 }
 
 void drawBackdrop(Backdrop& backdrop) {
@@ -75,8 +75,9 @@ void drawBackdrop(Backdrop& backdrop) {
         });
     };
     forPixels([&](int x, int y, std::size_t index) { backdrop.seen[index] = seenAt(backdrop, scene, x, y); });
+    const BoundGroups solids(scene.bounds());
     std::vector<std::uint8_t> plain(backdrop.size.pixelCount());
-    forPixels([&](int x, int y, std::size_t index) { plain[index] = isPlain(backdrop, scene, x, y) ? 1 : 0; });
+    forPixels([&](int x, int y, std::size_t index) { plain[index] = isPlain(backdrop, solids, x, y) ? 1 : 0; });
     for (Seen& seen : backdrop.seen) {
         seen.plain = false; // there is no picture yet that a shadow could be a factor on
     }

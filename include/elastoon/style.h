@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace elastoon {
 
@@ -91,5 +93,19 @@ struct StyleParameter {
 [[nodiscard]] double parameterValue(const Style& style, const StyleParameter& parameter);
 /// Sets it, in the file's unit. The value must be allowed.
 void setParameter(Style& style, const StyleParameter& parameter, double value);
+
+/// A style that comes with the library. The files of scenes/styles/ are their source; docs/gallery.md shows them.
+struct NamedStyle {
+    std::string_view name; ///< as in "jelly"
+    std::string_view description; ///< one line
+    Style style;
+};
+
+/// All styles that come with the library, by name.
+[[nodiscard]] std::span<const NamedStyle> namedStyles();
+/// Their names alone, in the same order.
+[[nodiscard]] std::vector<std::string_view> styleNames();
+/// The style of this name; none if there is no such one.
+[[nodiscard]] std::optional<Style> styleNamed(std::string_view name);
 
 } // namespace elastoon
