@@ -92,7 +92,7 @@ TEST(SweptBox, HoldsABodyInFlight) {
         const Pose pose{random.inBox(std::pow(10.0, random.uniform(0.0, 4.0))), random.rotation(), 1.0};
         const Vec3 velocity = random.below(8) == 0 ? Vec3(0.0) : random.inBox(10.0);
         const Flight flight = beginFlight(pose, velocity, gravity, style, Lead::PlusX);
-        for (std::size_t kept = random.below(3); kept > 0; --kept) {
+        for (int kept = random.below(3); kept > 0; --kept) {
             KeptClear leaving;
             leaving.surface.frame = randomFrame(random);
             leaving.surface.normal = random.direction();
