@@ -320,8 +320,8 @@ TEST(Hull, HoldsThePointsAboutAKnifesEdge) {
     for (int i = 0; i < 3000 * soak(); ++i) {
         Points points;
         for (int k = 5 + random.below(12); k > 0; --k) {
-            Vec3 point(random.below(3) == 0 ? 15.0 : 0.0, random.below(4), random.below(4));
-            point.x += random.below(2) * std::pow(10.0, random.uniform(-16.0, -9.0));
+            Vec3 point{random.below(3) == 0 ? 15.0 : 0.0, 1.0 * random.below(4), 1.0 * random.below(4)};
+            point.x += random.below(2) == 0 ? 0.0 : std::pow(10.0, random.uniform(-16.0, -9.0));
             points.push_back(point * Vec3(1.0, 2e-5, 2e-5));
         }
         points = transformed(points, random.rotation(), Vec3(1.0), Vec3(0.0));
