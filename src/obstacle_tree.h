@@ -1,7 +1,7 @@
-// Which obstacles may be near: a tree of axis-aligned boxes, and the boxes of obstacles and of bodies in flight.
+// Which obstacles may be near: a tree of axis-aligned boxes.
 #pragma once
 
-#include "elastoon/phase.h"
+#include "elastoon/math.h"
 
 #include <cstdint>
 #include <span>
@@ -136,14 +136,5 @@ private:
     int root_ = kNone;
     std::size_t count_ = 0;
 };
-
-/// Box around the obstacle of this shape at time t: exact but for the rounding of its corners.
-[[nodiscard]] Box boxOf(const Shape& shape, const MovingFrame& frame, double t);
-/// Box that holds the obstacle at every time within [from, to].
-[[nodiscard]] Box sweptBox(const Shape& shape, const MovingFrame& frame, double from, double to);
-/// Box that holds a body at every time within [from, to] (not before the phase's start). Of a flight: the parabola's
-/// own box, grown by the greatest reach of the body, and by the way that it may be pushed off the surfaces that it
-/// leaves.
-[[nodiscard]] Box sweptBox(const Phase& flight, const Shape& shape, double from, double to);
 
 } // namespace elastoon

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace elastoon {
 
@@ -16,10 +17,17 @@ constexpr double kFlat = 1e-10;
 struct Facet {
     Triangle triangle;
     OrientedPlane plane;
-    int outside = kNone;   ///< the furthest of the points that it keeps; the others follow in next_
+    int first = kNone;     ///< the furthest of the points that it keeps, all above it; the others follow in next_
     double furthest = 0.0; ///< distance of that one, times the plane's length
-    int seen_by = kNone;
+    int seen_at = 0; ///< the last look at which it was seen
+    bool waits = false;    ///< the furthest is outside by more than rounding
     bool alive = true;
+};
+
+enum class Side : std::uint8_t {
+    Behind,
+    Above,   ///< by no more than rounding
+    Outside,
 };
 
 /// Edge on the border of what a point sees: `facet` stays, and its edge number `edge` gets a new neighbour.
@@ -39,7 +47,9 @@ private:
     void begin(const std::array<int, 4>& corners);
     int addFacet(int a, int b, int c);
     void giveTo(int first_point, const std::vector<int>& facets);
-    bool keeps(Facet& facet, int point);
+    Side sideOf(const Facet& facet, int point, double& value) const;
+    void keep(int index, int point, double value, Side side);
+    bool giveOn();
     void look(int eye, int start);
     void addPoint(int start);
     [[nodiscard]] std::vector<Triangle> triangles() const;
@@ -47,9 +57,10 @@ private:
     const PointSet& set_;
     std::vector<Facet> facets_;
     std::vector<int> free_;
-    std::vector<int> waiting_; ///< facets that may have points outside
+    std::vector<int> waiting_; ///< facets that have points outside, if they still live
     std::vector<int> next_;    ///< by point
     std::vector<int> new_at_;  ///< by point: the new facet that begins there
+    int looks_ = 0;
     std::vector<int> seen_;
     std::vector<int> made_;
     std::vector<HorizonEdge> horizon_;
@@ -133,67 +144,109 @@ void Quickhull::begin(const std::array<int, 4>& corners) {
     giveTo(others, made_);
 }
 
-/// Whether the point is outside the facet by more than rounding; the facet then keeps it.
-bool Quickhull::keeps(Facet& facet, int point) {
+/// Where the point is to the facet. Where the plane's own rounding is the larger one, as for thin facets, only the
+/// exact distance will do.
+Side Quickhull::sideOf(const Facet& facet, int point, double& value) const {
     const OrientedPlane& plane = facet.plane;
-    // Where the plane's own rounding is the larger one, as for thin facets, only the exact distance will do.
     const double limit = set_.rounding * plane.length();
     const bool is_good = plane.errorBound() <= limit;
     const double enough = is_good ? 2.0 * limit : limit;
-    double distance = plane.roughly(set_.at(point));
-    if (!is_good && std::fabs(distance - enough) <= plane.errorBound()) {
-        distance = plane.exactly(set_.at(point));
+    value = plane.roughly(set_.at(point));
+    const bool is_exact =
+        std::fabs(value) <= plane.errorBound() || (!is_good && std::fabs(value - enough) <= plane.errorBound());
+    if (is_exact) {
+        value = plane.exactly(set_.at(point));
     }
-    if (distance <= enough) {
-        return false;
-    }
+    return value > enough ? Side::Outside : value > 0.0 ? Side::Above : Side::Behind;
+}
+
+void Quickhull::keep(int index, int point, double value, Side side) {
+    Facet& keeper = facet(index);
     int& following = next_[static_cast<std::size_t>(point)];
-    if (facet.outside == kNone || distance > facet.furthest) {
-        following = facet.outside;
-        facet.outside = point;
-        facet.furthest = distance;
+    if (keeper.first == kNone || value > keeper.furthest) {
+        following = keeper.first;
+        keeper.first = point;
+        keeper.furthest = value;
     } else {
-        int& second = next_[static_cast<std::size_t>(facet.outside)];
+        int& second = next_[static_cast<std::size_t>(keeper.first)];
         following = second;
         second = point;
     }
-    return true;
+    keeper.waits = keeper.waits || side == Side::Outside;
 }
 
-/// Each point of the list goes to a facet that it is outside of, or is dropped as inside.
+/// Each point of the list goes to a facet that it is outside of; else to one that it is above, be it by rounding only:
+/// facets to come may meet the others at sharp angles, and it would be far outside of those. Else it is inside.
 void Quickhull::giveTo(int first_point, const std::vector<int>& facets) {
     for (int point = first_point; point != kNone;) {
         const int following = next_[static_cast<std::size_t>(point)];
+        int keeper = kNone;
+        double value_there = 0.0;
+        Side side_there = Side::Behind;
         for (const int index : facets) {
-            if (keeps(facet(index), point)) {
+            double value = 0.0;
+            const Side side = sideOf(facet(index), point, value);
+            if (side > side_there) {
+                keeper = index;
+                value_there = value;
+                side_there = side;
+            }
+            if (side == Side::Outside) {
                 break;
             }
+        }
+        if (keeper != kNone) {
+            keep(keeper, point, value_there, side_there);
         }
         point = following;
     }
     for (const int index : facets) {
-        if (facet(index).outside != kNone) {
+        if (facet(index).waits) {
             waiting_.push_back(index);
         }
     }
+}
+
+/// Points that are above their facet by no more than rounding may be outside of others that they see: those get them.
+/// False if there are none.
+bool Quickhull::giveOn() {
+    const std::size_t before = waiting_.size();
+    std::vector<int> points;
+    std::vector<int> starts;
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+        int point = facets_[i].alive ? facets_[i].first : kNone;
+        for (; point != kNone; point = next_[static_cast<std::size_t>(point)]) {
+            points.push_back(point);
+            starts.push_back(static_cast<int>(i));
+        }
+        facets_[i].first = kNone;
+        facets_[i].furthest = 0.0;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        look(points[i], starts[i]);
+        next_[static_cast<std::size_t>(points[i])] = kNone;
+        giveTo(points[i], seen_);
+    }
+    return waiting_.size() > before;
 }
 
 /// Finds the facets that the point sees, and their border.
 void Quickhull::look(int eye, int start) {
     seen_ = {start};
     horizon_.clear();
-    facet(start).seen_by = eye;
+    ++looks_;
+    facet(start).seen_at = looks_;
     for (std::size_t next = 0; next < seen_.size(); ++next) {
         const int index = seen_[next];
         const Triangle& triangle = facet(index).triangle;
         for (std::size_t edge = 0; edge < 3; ++edge) {
             const int other = triangle.neighbors[edge];
             Facet& neighbor = facet(other);
-            if (neighbor.seen_by == eye) {
+            if (neighbor.seen_at == looks_) {
                 continue;
             }
             if (neighbor.plane.sees(set_.at(eye))) {
-                neighbor.seen_by = eye;
+                neighbor.seen_at = looks_;
                 seen_.push_back(other);
                 continue;
             }
@@ -207,13 +260,13 @@ void Quickhull::look(int eye, int start) {
 
 /// The furthest point of the facet becomes a corner: a cone to the border replaces all that it sees.
 void Quickhull::addPoint(int start) {
-    const int eye = facet(start).outside;
+    const int eye = facet(start).first;
     look(eye, start);
     int orphans = kNone;
     for (const int index : seen_) {
         Facet& dead = facet(index);
         dead.alive = false;
-        for (int point = dead.outside; point != kNone;) {
+        for (int point = dead.first; point != kNone;) {
             const int following = next_[static_cast<std::size_t>(point)];
             if (point != eye) {
                 next_[static_cast<std::size_t>(point)] = orphans;
@@ -263,9 +316,9 @@ TriangleHull Quickhull::run() {
     }
     begin(corners);
     // The oldest first, which refines the hull evenly: a cone over what is already fine would have a long border.
-    for (std::size_t next = 0; next < waiting_.size(); ++next) {
+    for (std::size_t next = 0; next < waiting_.size() || giveOn(); ++next) {
         const int index = waiting_[next];
-        if (facet(index).alive && facet(index).outside != kNone) {
+        if (facet(index).alive && facet(index).waits) {
             addPoint(index);
         }
     }

@@ -32,8 +32,8 @@ struct PointSet {
     }
 };
 
-/// Closed, no triangle without area, no point of the hull beyond any triangle's plane, all exactly; given points within
-/// a few roundings of a plane may be left out.
+/// Closed, no triangle without area, no point of the hull beyond any triangle's plane, all exactly; given points that
+/// are beyond planes by no more than two roundings are left out.
 [[nodiscard]] TriangleHull triangleHullOf(const PointSet& set);
 
 } // namespace elastoon

@@ -1,6 +1,8 @@
 // Which obstacles a body may meet: planes always, solids by their boxes. See step.h.
 #include "step.h"
 
+#include "swept_box.h"
+
 #include <algorithm>
 
 namespace elastoon {

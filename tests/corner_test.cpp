@@ -14,7 +14,9 @@ namespace {
 std::vector<Barrier> randomBarriers(Random& random, int count) {
     std::vector<Barrier> barriers;
     for (int i = 0; i < count; ++i) {
-        barriers.push_back({random.direction() * random.uniform(0.3, 1.0), random.uniform(-1.0, 0.4)});
+        const Vec3 direction = random.direction();
+        const double length = random.uniform(0.3, 1.0);
+        barriers.push_back({direction * length, random.uniform(-1.0, 0.4)});
     }
     return barriers;
 }
@@ -39,6 +41,7 @@ TEST(Push, IsTheShortestWayOut) {
     Random random(41);
     int pushed = 0;
     int blocked = 0;
+    int judged = 0;
     for (int i = 0; i < 300; ++i) {
         const auto barriers = randomBarriers(random, 1 + i % 4);
         const auto push = leastPush(barriers, 20.0);
@@ -50,8 +53,15 @@ TEST(Push, IsTheShortestWayOut) {
         for (const Barrier& barrier : barriers) {
             EXPECT_GE(barrier.gap + glm::dot(*push, barrier.way), -1e-12);
         }
-        EXPECT_LT(glm::length(*push - projected(barriers)), 1e-3 * (1.0 + glm::length(*push))) << i;
+        // The projections creep where planes all but oppose: until they arrive they judge nothing.
+        const Vec3 other = projected(barriers);
+        if (std::all_of(barriers.begin(), barriers.end(),
+                        [&](const Barrier& barrier) { return barrier.gap + glm::dot(other, barrier.way) >= -1e-6; })) {
+            ++judged;
+            EXPECT_LT(glm::length(*push - other), 1e-3 * (1.0 + glm::length(*push))) << i;
+        }
     }
+    EXPECT_GT(judged, 200);
     EXPECT_GT(pushed, 150);
     EXPECT_LT(blocked, 30);
 }

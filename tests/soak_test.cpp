@@ -108,6 +108,19 @@ Scene planeScene(Random& random, int world) {
     return scene;
 }
 
+/// Moves bodies that would start inside an obstacle up until they are free.
+void makeRoom(Scene& scene) {
+    World world = valueOf(World::create({.gravity = scene.gravity, .parallel_for = {}}));
+    for (const SceneObstacle& obstacle : scene.obstacles) {
+        (void)valueOf(world.addObstacle(obstacle.def));
+    }
+    for (SceneBody& body : scene.bodies) {
+        while (world.overlapOf(body.def)) {
+            body.def.position.y += 0.5;
+        }
+    }
+}
+
 /// A solid for each body, which falls on it from any side that is not below.
 Scene solidScene(Random& random, int world) {
     Scene scene;
@@ -138,6 +151,7 @@ Scene solidScene(Random& random, int world) {
         floor.name = "floor";
         floor.def = ObstacleDef::plane({0, 1, 0}, -3.0);
         scene.obstacles.push_back(floor);
+        makeRoom(scene);
     }
     return scene;
 }
