@@ -15,6 +15,8 @@ namespace {
 
 /// A surface that a body was found to part from is left for this long at least, s: it must not be met again at once.
 constexpr double kLeastLeaving = 1e-3;
+/// Turns (rad) and stretches up to this are rounding.
+constexpr double kSameForm = 1e-9;
 /// Within this share of its length a waiting surface is touched.
 constexpr double kTouched = 1e-6;
 
@@ -26,10 +28,9 @@ const ObstacleSlot* slotOf(const Surroundings& around, ObstacleId id) {
 
 /// More than rounding.
 bool differs(const Pose& a, const Pose& b) {
-    constexpr double kSame = 1e-9;
     const Quat turn = glm::conjugate(a.orientation) * b.orientation;
     const double sine = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
-    return sine > kSame || std::fabs(a.stretch - b.stretch) > kSame;
+    return sine > kSameForm || std::fabs(a.stretch - b.stretch) > kSameForm;
 }
 
 } // namespace
@@ -310,20 +311,14 @@ bool Moment::meetNextWaiting(const Impact& impact) {
 }
 
 void Moment::restOn(const Impact& impact, const std::vector<KeptClear>& pressing) {
-    Phase moved = body_.phase;
-    moved.clear_of.clear();
-    for (const KeptClear& kept : body_.phase.clear_of) {
-        if (!opposes(impact.surface.normalAt(t_), kept.surface.normalAt(t_))) {
-            moved.clear_of.push_back(kept);
-        }
-    }
-    const Pose pose = poseAt(moved, *body_.shape, t_);
+    const Pose pose = this->pose();
     const MovingFrame& frame = impact.surface.frame;
     Rest rest;
     rest.surface = impact.surface;
     rest.pose.position = frame.frameFromWorld(t_, pose.position);
     rest.pose.orientation = glm::conjugate(frame.orientationAt(t_)) * pose.orientation;
-    rest.pose.stretch = 1.0;
+    // A pressed body begins as it is pressed; let go, it comes back to its form.
+    rest.pose.stretch = pressing.empty() ? 1.0 : pose.stretch;
     Phase next;
     next.start = t_;
     // Where only the press holds it, the press's going wakes it.
@@ -340,7 +335,10 @@ void Moment::endImpact() {
     const Phase phase = body_.phase;
     const auto& impact = std::get<Impact>(phase.motion);
     const std::vector<KeptClear> pressing = pressingOn(impact.surface);
-    if (impact.comes_to_rest || !pressing.empty()) {
+    // One that found no room to go on has not come to its resting form.
+    const bool whole =
+        t_ >= impact.begun + impact.curve.duration() && std::fabs(pose().stretch - impact.curve.s_out) < kSameForm;
+    if ((impact.comes_to_rest && whole) || !pressing.empty()) {
         restOn(impact, pressing);
         return;
     }
@@ -378,10 +376,12 @@ void Moment::pressLetGo() {
     Phase phase = body_.phase;
     phase.start = t_;
     phase.clear_of.clear();
-    const bool held = canHold(std::get<Rest>(phase.motion).surface, t_, around_.gravity, body_.style);
+    const Rest rest = std::get<Rest>(phase.motion);
     begin(std::move(phase));
-    if (!held) {
+    if (!canHold(rest.surface, t_, around_.gravity, body_.style)) {
         wake();
+    } else if (rest.pose.stretch != 1.0) {
+        recover();
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "contact.h"
 #include "flight.h"
+#include "gjk.h"
 #include "impact.h"
 
 #include <algorithm>
@@ -23,8 +24,10 @@ constexpr std::size_t kMostBarriers = 16;
 constexpr double kMostSqueeze = 20.0;
 /// The same where nothing presses it: it stops rather than change its form much.
 constexpr double kMostSqueezeInCorner = 1.3;
-/// Between pushing along the surface and putting the body back onto it.
-constexpr int kMostRounds = 12;
+/// Of looking for a shift that clears all and changes no more.
+constexpr int kMostRounds = 24;
+/// What may be left of a depth after that many, as a share of the length.
+constexpr double kGoodEnough = 1e-7;
 
 bool feasible(std::span<const Barrier> barriers, const Vec3& shift, double slack) {
     return std::all_of(barriers.begin(), barriers.end(),
@@ -87,46 +90,138 @@ bool continues(const Vec3& normal, const Vec3& other) {
     return glm::dot(normal, other) > 0.0 && wayAlong(normal, other) == Vec3(0.0);
 }
 
-/// Takes the pose out of all surfaces by moving it. False if that cannot be done.
-bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose) {
-    const Surface* primary = surfaceOf(phase);
-    const Vec3 normal = primary != nullptr ? primary->normalAt(t) : Vec3(0.0);
-    const double length = shape.length();
-    for (int round = 0; round < kMostRounds; ++round) {
-        std::array<Barrier, kMostBarriers> barriers;
-        std::size_t count = 0;
-        double lift = 0.0;
-        bool clear = true;
-        for (const KeptClear& kept : phase.clear_of) {
-            if (t > kept.until || count == kMostBarriers) {
-                continue;
-            }
-            const Vec3 other = kept.surface.normalAt(t);
-            const double gap = gapTo(kept.surface, shape, pose, t);
-            clear = clear && gap >= -kRounding * length;
-            if (primary != nullptr && continues(normal, other)) {
-                lift = std::max(lift, -gap / glm::dot(normal, other));
-            } else {
-                barriers[count++] = {primary != nullptr ? wayAlong(normal, other) : other, gap};
-            }
+/// How high over its own place the primary surface holds the body, and how that changes along the surface.
+struct Footing {
+    double lift = 0.0;
+    Vec3 slope{0.0};
+};
+
+/// None where the body has nothing of the solid under it.
+std::optional<Footing> footingOf(const Surface& primary, const Shape& shape, const Pose& pose, double t) {
+    if (!primary.solid) {
+        return Footing{};
+    }
+    const Quat orientation = primary.frame.orientationAt(t);
+    const Pose in_frame{primary.frame.frameFromWorld(t, pose.position), glm::conjugate(orientation) * pose.orientation,
+                        pose.stretch};
+    const auto contact = contactAlong({&shape, linearOf(in_frame), in_frame.position},
+                                      {primary.solid.get(), Mat3(1.0), Vec3(0.0)}, primary.normal);
+    if (!contact) {
+        return std::nullopt;
+    }
+    const double steep = glm::dot(contact->normal, primary.normal);
+    const Vec3 across = contact->normal - primary.normal * steep;
+    return Footing{contact->shift, steep > 0.05 ? orientation * (across / -steep) : Vec3(0.0)};
+}
+
+/// Moves a pose, along the primary surface and up from it, out of what it is to be kept clear of: Newton's method on the
+/// whole shift, so that what does not bind has no part in it.
+class Mover {
+public:
+    Mover(const Phase& phase, const Shape& shape, double t, const Pose& own)
+        : phase_(phase), shape_(shape), t_(t), own_(own), pose_(own), primary_(surfaceOf(phase)),
+          normal_(primary_ != nullptr ? primary_->normalAt(t) : Vec3(0.0)) {}
+
+    /// False if there is no way, or nothing to stand on there.
+    bool run();
+    [[nodiscard]] const Pose& pose() const { return pose_; }
+
+private:
+    [[nodiscard]] double leastGap() const;
+    [[nodiscard]] std::optional<Vec3> nextShift() const;
+    bool moveTo(const Vec3& shift);
+
+    const Phase& phase_;
+    const Shape& shape_;
+    double t_;
+    const Pose& own_;
+    Pose pose_;
+    const Surface* primary_;
+    Vec3 normal_;
+    Vec3 shift_{0.0};
+    Footing footing_;
+};
+
+double Mover::leastGap() const {
+    double least = 0.0;
+    for (const KeptClear& kept : phase_.clear_of) {
+        least = t_ > kept.until ? least : std::min(least, gapTo(kept.surface, shape_, pose_, t_));
+    }
+    return least;
+}
+
+std::optional<Vec3> Mover::nextShift() const {
+    std::array<Barrier, kMostBarriers> barriers;
+    std::size_t count = 0;
+    for (const KeptClear& kept : phase_.clear_of) {
+        const Vec3 other = kept.surface.normalAt(t_);
+        if (t_ > kept.until || count == kMostBarriers || (primary_ != nullptr && continues(normal_, other))) {
+            continue;
         }
-        if (clear) {
-            return true;
+        Vec3 way = primary_ != nullptr ? wayAlong(normal_, other) : other;
+        if (way != Vec3(0.0)) {
+            way += footing_.slope * glm::dot(other, normal_);
         }
-        const auto shift = leastPush({barriers.data(), count}, 4.0 * length * std::max(1.0, pose.stretch));
-        if (!shift) {
-            return false;
-        }
-        pose.position += *shift + normal * lift;
-        if (primary != nullptr && primary->solid && lift <= 0.0) {
-            Pose in_frame{primary->frame.frameFromWorld(t, pose.position),
-                          glm::conjugate(primary->frame.orientationAt(t)) * pose.orientation, pose.stretch};
-            // Down again by no more than it went along: beyond the solid's end there is nothing to stand on.
-            pose.position += normal * std::max(liftToTouch(*primary, shape, in_frame), -glm::length(*shift));
+        barriers[count++] = {way, gapTo(kept.surface, shape_, pose_, t_) - glm::dot(way, shift_)};
+    }
+    return leastPush({barriers.data(), count}, shape_.length() * std::max(1.0, own_.stretch));
+}
+
+bool Mover::moveTo(const Vec3& shift) {
+    shift_ = shift;
+    pose_.position = own_.position + shift;
+    if (primary_ == nullptr) {
+        return true;
+    }
+    const auto footing = footingOf(*primary_, shape_, pose_, t_);
+    // Far below where it stood there is something, but not what it stands on.
+    if (!footing || footing->lift < -2.0 * glm::length(shift) - kRounding * shape_.length()) {
+        return false;
+    }
+    footing_ = *footing;
+    pose_.position += normal_ * footing_.lift;
+    double lift = 0.0;
+    for (const KeptClear& kept : phase_.clear_of) {
+        const Vec3 other = kept.surface.normalAt(t_);
+        if (t_ <= kept.until && continues(normal_, other)) {
+            lift = std::max(lift, -gapTo(kept.surface, shape_, pose_, t_) / glm::dot(normal_, other));
         }
     }
-    // What is left after so many rounds is far below what shows.
+    pose_.position += normal_ * lift;
     return true;
+}
+
+bool Mover::run() {
+    const double length = shape_.length();
+    if (leastGap() >= -kRounding * length) {
+        return true;
+    }
+    if (!moveTo(Vec3(0.0))) {
+        return false;
+    }
+    for (int round = 0; round < kMostRounds; ++round) {
+        const auto next = nextShift();
+        if (!next) {
+            return false;
+        }
+        const bool same = glm::length(*next - shift_) <= 1e-11 * length;
+        if (same && leastGap() >= -kRounding * length) {
+            return true;
+        }
+        if (!moveTo(*next)) {
+            return false;
+        }
+    }
+    return leastGap() >= -kGoodEnough * length;
+}
+
+/// Takes the pose out of all surfaces by moving it. False if that cannot be done; the pose is then somewhere on the way.
+bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose) {
+    const Pose own = pose;
+    Mover mover(phase, shape, t, own);
+    const bool clear = mover.run();
+    pose = mover.pose();
+    return clear;
 }
 
 } // namespace
