@@ -114,12 +114,17 @@ std::optional<Footing> footingOf(const Surface& primary, const Shape& shape, con
     return Footing{contact->shift, steep > 0.05 ? orientation * (across / -steep) : Vec3(0.0)};
 }
 
-/// Moves a pose, along the primary surface and up from it, out of what it is to be kept clear of: Newton's method on the
-/// whole shift, so that what does not bind has no part in it.
+/// Moves a pose, along the primary surface and up from it, out of what it is to be kept clear of: Newton's method on
+/// the whole shift, so that what does not bind has no part in it.
 class Mover {
 public:
     Mover(const Phase& phase, const Shape& shape, double t, const Pose& own)
-        : phase_(phase), shape_(shape), t_(t), own_(own), pose_(own), primary_(surfaceOf(phase)),
+        : phase_(phase),
+          shape_(shape),
+          t_(t),
+          own_(own),
+          pose_(own),
+          primary_(surfaceOf(phase)),
           normal_(primary_ != nullptr ? primary_->normalAt(t) : Vec3(0.0)) {}
 
     /// False if there is no way, or nothing to stand on there.
@@ -215,7 +220,8 @@ bool Mover::run() {
     return leastGap() >= -kGoodEnough * length;
 }
 
-/// Takes the pose out of all surfaces by moving it. False if that cannot be done; the pose is then somewhere on the way.
+/// Takes the pose out of all surfaces by moving it. False if that cannot be done; the pose is then somewhere on the
+/// way.
 bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose) {
     const Pose own = pose;
     Mover mover(phase, shape, t, own);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace elastoon {
 
@@ -153,25 +154,60 @@ Distance distanceTo(const Watched& watched, const Shape& shape, const Pose& pose
     return {0.0, separatingPlane(hint, shape, pose, t)};
 }
 
+namespace {
+
+/// On a solid the way along the normal may be steeper than the bounds allow for: an impact is looked at this often at
+/// least, and a touch that was passed is looked for backwards.
+constexpr double kLeastLooks = 64.0;
+
+/// The first time, to rounding, in (apart, touching] at which the obstacle is within `gap`; at `apart` it is not.
+Touch stepBack(const Phase& phase, const Shape& shape, const Watched& watched, double apart, double touching,
+               double gap) {
+    ClosestSeed seed;
+    for (;;) {
+        const double middle = apart + 0.5 * (touching - apart);
+        const bool done = middle <= apart || middle >= touching;
+        const double t = done ? apart : middle;
+        const Distance distance = distanceTo(watched, shape, poseAt(phase, shape, t), t, seed);
+        if (done || (distance.gap > 0.0 && distance.gap <= gap)) {
+            return {t, distance.plane};
+        }
+        (distance.gap > gap ? apart : touching) = middle;
+    }
+}
+
+} // namespace
+
 std::optional<Touch> firstNear(const Phase& phase, const Shape& shape, const Watched& watched, double from, double to,
                                double gap) {
     ClosestSeed seed;
     const HeldBounds bounds = heldBounds(phase, shape, from, to);
     const double spin = glm::length(watched.frame.angular_velocity);
+    const auto* impact = std::get_if<Impact>(&phase.motion);
+    const double most_step = impact != nullptr && impact->surface.solid ? impact->curve.duration() / kLeastLooks
+                                                                        : std::numeric_limits<double>::infinity();
     double t = from;
+    double apart = from;
     for (int i = 0; i < kMostAdvances; ++i) {
         const Pose pose = poseAt(phase, shape, t);
         const Distance distance = distanceTo(watched, shape, pose, t, seed);
         if (distance.gap <= gap) {
-            return Touch{t, distance.plane};
+            return distance.gap <= 0.0 && t > apart ? stepBack(phase, shape, watched, apart, t, gap)
+                                                    : Touch{t, distance.plane};
         }
         const double arm = glm::length(pose.position - watched.frame.originAt(t)) + bounds.reach +
                            (watched.solid ? 0.0 : distance.gap) + (to - t) * bounds.speed;
         const double speed = bounds.speed + glm::length(watched.frame.velocity) + spin * arm;
-        if (!(t + (distance.gap - 0.5 * gap) / speed < to)) {
-            return std::nullopt;
+        const double safe = (distance.gap - 0.5 * gap) / speed;
+        const bool near = distance.gap < 2.0 * bounds.reach;
+        const double step = near ? std::min(safe, most_step) : safe;
+        if (!(t + step < to)) {
+            const Distance last = distanceTo(watched, shape, poseAt(phase, shape, to), to, seed);
+            return last.gap > 0.0 || to <= t ? std::nullopt
+                                             : std::optional(stepBack(phase, shape, watched, t, to, gap));
         }
-        t += (distance.gap - 0.5 * gap) / speed;
+        apart = t;
+        t += step;
     }
     return Touch{t, distanceTo(watched, shape, poseAt(phase, shape, t), t, seed).plane};
 }
