@@ -22,8 +22,6 @@ constexpr double kLeastWay = 0.25;
 constexpr std::size_t kMostBarriers = 16;
 /// A body is never squashed or stretched by more than this factor because it has no room.
 constexpr double kMostSqueeze = 20.0;
-/// The same where nothing presses it: it stops rather than change its form much.
-constexpr double kMostSqueezeInCorner = 1.3;
 /// Of looking for a shift that clears all and changes no more.
 constexpr int kMostRounds = 24;
 /// What may be left of a depth after that many, as a share of the length.
@@ -297,11 +295,10 @@ Fit squeezed(const Phase& phase, const Shape& shape, double t, const Pose& unfit
         return moveClear(phase, shape, t, tried);
     };
     constexpr double kRatio = 1.1;
-    const double most = isPressed(phase, t) ? kMostSqueeze : kMostSqueezeInCorner;
     Fit best{unfit, false};
     double fit = 1.0;
     double misfit = 1.0;
-    for (double ratio = kRatio; ratio < most && !best.fits; ratio *= kRatio) {
+    for (double ratio = kRatio; ratio < kMostSqueeze && !best.fits; ratio *= kRatio) {
         for (const double factor : {1.0 / ratio, ratio}) {
             if (!best.fits && tryFactor(factor, best.pose)) {
                 best.fits = true;
@@ -329,7 +326,8 @@ Fit fitted(const Phase& phase, const Shape& shape, double t) {
     if (moveClear(phase, shape, t, pose)) {
         return {pose, true};
     }
-    return std::holds_alternative<Flight>(phase.motion) ? Fit{pose, false} : squeezed(phase, shape, t, own);
+    // In a corner it stops rather than change its form.
+    return isPressed(phase, t) ? squeezed(phase, shape, t, own) : Fit{pose, false};
 }
 
 } // namespace

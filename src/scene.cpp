@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace elastoon {
@@ -52,7 +53,7 @@ private:
     void checkStarts();
 
     std::string nameFor(const Json& value, const std::string& path, const std::string& otherwise,
-                        std::vector<std::string>& taken);
+                        std::set<std::string>& taken);
     std::size_t shapeIndex(const Json& value, const std::string& path);
     double size(const Json& value, const std::string& path, std::string_view key);
     template <class Read>
@@ -248,7 +249,7 @@ Style SceneReader::styleOf(const Json& value, const std::string& path) {
 }
 
 std::string SceneReader::nameFor(const Json& value, const std::string& path, const std::string& otherwise,
-                                 std::vector<std::string>& taken) {
+                                 std::set<std::string>& taken) {
     std::string name = otherwise;
     optional(value, path, "name", [&](const Json& v, const std::string& p) {
         name = json_.text(v, p);
@@ -256,10 +257,9 @@ std::string SceneReader::nameFor(const Json& value, const std::string& path, con
             json_.fail(p, "must not be empty");
         }
     });
-    if (std::find(taken.begin(), taken.end(), name) != taken.end()) {
+    if (!taken.insert(name).second) {
         json_.fail(path + "/name", "the name \"" + name + "\" is taken by another one in this list");
     }
-    taken.push_back(name);
     return name;
 }
 
@@ -280,7 +280,7 @@ void SceneReader::readBodies(const Json& bodies) {
     if (!json_.array(bodies, "/bodies")) {
         return;
     }
-    std::vector<std::string> taken;
+    std::set<std::string> taken;
     for (std::size_t i = 0; i < bodies.size() && !json_.failed(); ++i) {
         const std::string path = "/bodies" + pathPart(i);
         const Json& value = bodies[i];
@@ -365,7 +365,7 @@ void SceneReader::readObstacles(const Json& obstacles) {
     if (!json_.array(obstacles, "/obstacles")) {
         return;
     }
-    std::vector<std::string> taken;
+    std::set<std::string> taken;
     for (std::size_t i = 0; i < obstacles.size() && !json_.failed(); ++i) {
         const std::string path = "/obstacles" + pathPart(i);
         const Json& value = obstacles[i];

@@ -75,6 +75,7 @@ struct Surroundings {
     std::vector<std::size_t> planes;        ///< slots, ascending
     std::vector<std::size_t> moving_planes; ///< slots, ascending
     std::vector<std::size_t> moving_solids; ///< slots, ascending
+    std::vector<std::size_t> on_paths;      ///< slots, ascending
     ObstacleTree solids;                    ///< boxes that hold now, and in a step through all of it
 
     [[nodiscard]] bool anyMoves() const { return !moving_planes.empty() || !moving_solids.empty(); }

@@ -18,6 +18,9 @@ void insertSorted(std::vector<std::size_t>& sorted, std::size_t value) {
 void Surroundings::include(std::size_t slot, double t) {
     const ObstacleSlot& obstacle = obstacles[slot];
     exclude(slot);
+    if (!obstacle.path.keys.empty()) {
+        insertSorted(on_paths, slot);
+    }
     if (obstacle.isPlane()) {
         insertSorted(planes, slot);
         if (obstacle.frame.moves()) {
@@ -35,6 +38,7 @@ void Surroundings::exclude(std::size_t slot) {
     std::erase(planes, slot);
     std::erase(moving_planes, slot);
     std::erase(moving_solids, slot);
+    std::erase(on_paths, slot);
     solids.remove(slot);
 }
 

@@ -524,21 +524,17 @@ Prediction World::predict(BodyId id, double horizon) const {
 
 double World::Impl::nextPathChange(double to) const {
     double next = to;
-    for (const ObstacleSlot& obstacle : around.obstacles) {
-        if (obstacle.used && !obstacle.path.keys.empty()) {
-            next = std::min(next, nextChange(obstacle.path, time));
-        }
+    for (const std::size_t i : around.on_paths) {
+        next = std::min(next, nextChange(around.obstacles[i].path, time));
     }
     return next;
 }
 
 /// Obstacles that have come to a key of their path take the next leg.
 void World::Impl::followPaths() {
-    for (std::size_t i = 0; i < around.obstacles.size(); ++i) {
+    const std::vector<std::size_t> on_paths = around.on_paths;
+    for (const std::size_t i : on_paths) {
         const ObstacleSlot& obstacle = around.obstacles[i];
-        if (!obstacle.used || obstacle.path.keys.empty() || obstacle.frame.start >= time) {
-            continue;
-        }
         const MovingFrame leg = frameAt(obstacle.path, time);
         if (leg.start > obstacle.frame.start) {
             setFrame(i, leg);
