@@ -179,5 +179,22 @@ TEST(Scene, MeshesNeedAReaderAndAVolume) {
     EXPECT_NE(refused.error().message.find("one plane"), std::string::npos);
 }
 
+TEST(Scene, ObstaclesFollowPaths) {
+    const auto withPath = [](const std::string& path) {
+        return parseScene(R"({"elastoon":1,"shapes":{"b":{"type":"box","size":[1,1,1]}},
+            "obstacles":[{"shape":"b","position":[1,0,0],"path":)" +
+                          path + R"(,"path_repeats":true}]})");
+    };
+    const Scene scene = valueOf(withPath(R"([{"time":1,"position":[1,2,0]},{"time":2.5}])"));
+    const ObstacleDef& def = scene.obstacles[0].def;
+    ASSERT_EQ(def.path.size(), 2U);
+    EXPECT_EQ(def.path[1].position, Vec3(1, 2, 0)) << "what a key leaves out stays";
+    EXPECT_EQ(def.path[1].time, 2.5);
+    EXPECT_TRUE(def.path_repeats);
+    EXPECT_EQ(withPath(R"([{"time":1},{"time":1}])").error().where, "/obstacles/0/path/1/time");
+    EXPECT_EQ(withPath(R"([{"position":[0,0,0]}])").error().where, "/obstacles/0/path/0");
+    EXPECT_EQ(withPath(R"(3)").error().where, "/obstacles/0/path");
+}
+
 } // namespace
 } // namespace elastoon
