@@ -17,6 +17,8 @@ constexpr int kMostEventsPerStep = 4096;
 constexpr int kMostEventsAtOnce = 32;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+/// No version of the surroundings.
+constexpr std::uint64_t kLookedInVain = ~std::uint64_t{0};
 /// At this share of its length from a body at rest an obstacle has come upon it.
 constexpr double kHitGap = 1e-7;
 
@@ -86,6 +88,24 @@ Met earliestNear(const Surroundings& around, const BodySlot& body, double from, 
     return met;
 }
 
+/// Looks well ahead of the step whether the body can touch anything at all, so that the next steps need not.
+void lookAhead(const Surroundings& around, BodySlot& body, double from, double to) {
+    constexpr double kStepsAhead = 32.0;
+    if (around.anyMoves() || !body.phase.clear_of.empty()) {
+        return;
+    }
+    const double until = from + kStepsAhead * (to - from);
+    thread_local std::vector<std::size_t> candidates;
+    around.near(body.phase, *body.shape, from, until, candidates);
+    const bool misses = std::all_of(candidates.begin(), candidates.end(), [&](std::size_t i) {
+        const ObstacleSlot& obstacle = around.obstacles[i];
+        return obstacle.isPlane() && clearlyMisses(body.phase, *body.shape, obstacle.surface(), from, until);
+    });
+    // A failed look is not repeated at every step.
+    body.untouched_until = misses ? until : from + 4.0 * (to - from);
+    body.untouched_in = misses ? around.version : kLookedInVain;
+}
+
 /// When a flight stops being kept clear of a surface while it still needs it: what it has been pushed aside then
 /// becomes its way.
 double leavingEndsPushed(const BodySlot& body) {
@@ -129,6 +149,9 @@ double pressLetsGo(const BodySlot& body, double from, double to) {
 double nextEvent(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {
     const auto at = [&](double t) { return Moment(around, body, id, t, out); };
     if (std::holds_alternative<Flight>(body.phase.motion)) {
+        if (to <= body.untouched_until && body.untouched_in == around.version) {
+            return kNever;
+        }
         const double pushed_until = leavingEndsPushed(body);
         const Met met = earliestTouch(around, body, from, std::min(to, pushed_until));
         if (met.time < kNever) {
@@ -138,6 +161,9 @@ double nextEvent(const Surroundings& around, BodySlot& body, BodyId id, double f
         if (pushed_until <= to) {
             at(pushed_until).flyOn();
             return pushed_until;
+        }
+        if (to > body.untouched_until) {
+            lookAhead(around, body, from, to);
         }
         return kNever;
     }

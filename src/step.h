@@ -50,13 +50,16 @@ struct BodySlot {
     Style style;
     Phase phase;
     PairSeeds seeds;
+    /// Until then this phase touches nothing, as long as the surroundings are of that version: no search is needed.
+    double untouched_until = -std::numeric_limits<double>::infinity();
+    std::uint64_t untouched_in = 0;
     std::uint64_t user_data = 0;
 };
 
 struct ObstacleSlot {
     std::uint32_t generation = 0;
     bool used = false;
-    ShapePtr shape;             ///< null for a plane
+    ShapePtr shape; ///< null for a plane
     Vec3 normal{0.0, 1.0, 0.0}; ///< of a plane, unit, in the frame
     MovingFrame frame;
     Path path; ///< without keys: none
@@ -72,11 +75,12 @@ struct ObstacleSlot {
 struct Surroundings {
     Vec3 gravity{0.0};
     std::vector<ObstacleSlot> obstacles;
-    std::vector<std::size_t> planes;        ///< slots, ascending
+    std::vector<std::size_t> planes; ///< slots, ascending
     std::vector<std::size_t> moving_planes; ///< slots, ascending
     std::vector<std::size_t> moving_solids; ///< slots, ascending
-    std::vector<std::size_t> on_paths;      ///< slots, ascending
-    ObstacleTree solids;                    ///< boxes that hold now, and in a step through all of it
+    std::vector<std::size_t> on_paths; ///< slots, ascending
+    std::uint64_t version = 0; ///< counts the changes
+    ObstacleTree solids; ///< boxes that hold now, and in a step through all of it
 
     [[nodiscard]] bool anyMoves() const { return !moving_planes.empty() || !moving_solids.empty(); }
     /// To be called when an obstacle has come, goes, or moves otherwise; at time t.

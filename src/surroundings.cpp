@@ -35,6 +35,7 @@ void Surroundings::include(std::size_t slot, double t) {
 }
 
 void Surroundings::exclude(std::size_t slot) {
+    ++version;
     std::erase(planes, slot);
     std::erase(moving_planes, slot);
     std::erase(moving_solids, slot);

@@ -133,6 +133,10 @@ double finish(const Approach& approach, double inside, double gap_inside, double
 
 } // namespace
 
+bool clearlyMisses(const Phase& flight, const Shape& shape, const Surface& surface, double from, double to) {
+    return Approach{flight, std::get<Flight>(flight.motion), shape, surface}.farFrom(from, to);
+}
+
 std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface, double from,
                                  double to) {
     const Approach approach{flight, std::get<Flight>(flight.motion), shape, surface};

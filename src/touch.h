@@ -12,6 +12,10 @@ namespace elastoon {
 /// The body counts as touching at this share of its length: what separates a touch from rounding.
 inline constexpr double kTouchGap = 1e-9;
 
+/// The ways of the body's bounding ball show that it does not touch the plane within [from, to]. Quick; may miss it.
+[[nodiscard]] bool clearlyMisses(const Phase& flight, const Shape& shape, const Surface& surface, double from,
+                                 double to);
+
 /// First time in [from, to] at which the flight's body touches the plane; it does not penetrate at that time.
 /// None if there is no touch. At `from` a gap of kTouchGap or less is a touch.
 [[nodiscard]] std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface,

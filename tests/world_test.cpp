@@ -310,5 +310,34 @@ TEST(World, EventsAreInOrderOfTime) {
                                [](const Event& a, const Event& b) { return a.time < b.time; }));
 }
 
+TEST(World, WhatComesIntoTheWayOfAFarBodyIsMet) {
+    // A body far from everything is not searched for; a change of the surroundings makes it be again.
+    World world = worldWithFloor();
+    BodyDef def;
+    def.shape = valueOf(Shape::sphere(0.5));
+    def.position = {0, 500, 0};
+    const BodyId body = valueOf(world.addBody(def));
+    const auto steps = [&](int count) {
+        int impacts = 0;
+        for (int i = 0; i < count; ++i) {
+            world.step(1.0 / 60.0);
+            impacts += static_cast<int>(std::count_if(world.events().begin(), world.events().end(),
+                                                      [](const Event& e) { return e.type == EventType::Impact; }));
+        }
+        return impacts;
+    };
+    EXPECT_EQ(steps(60), 0);
+    const double y = world.pose(body).position.y;
+    const ObstacleId plate = valueOf(world.addObstacle(ObstacleDef::plane({0, 1, 0}, y - 1.5)));
+    EXPECT_EQ(steps(6), 1) << "the plane that was put under it";
+    ASSERT_TRUE(world.removeObstacle(plate));
+    ObstacleDef box;
+    box.shape = valueOf(Shape::box({3, 1, 3}));
+    EXPECT_EQ(steps(60), 0);
+    box.position = {0, world.pose(body).position.y - 3.0, 0};
+    (void)valueOf(world.addObstacle(box));
+    EXPECT_EQ(steps(60), 1) << "and the box";
+}
+
 } // namespace
 } // namespace elastoon
