@@ -100,7 +100,7 @@ Ease easeBetween(const Pose& from, const Pose& to, double span) {
     const double sine = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
     Ease ease;
     ease.span = span;
-    ease.stretch = from.stretch - to.stretch;
+    ease.stretch = from.stretch;
     if (sine > 0.0) {
         const double sign = turn.w < 0.0 ? -1.0 : 1.0;
         ease.axis = Vec3(turn.x, turn.y, turn.z) * (sign / sine);
@@ -113,7 +113,7 @@ void applyEase(const Ease& ease, double elapsed, Pose& pose) {
     if (elapsed < ease.span) {
         const double done = elapsed / ease.span;
         const double left = 1.0 - done * done * (3.0 - 2.0 * done);
-        pose.stretch += ease.stretch * left;
+        pose.stretch += (ease.stretch - pose.stretch) * left;
         pose.orientation = rotationAbout(ease.axis, ease.angle * left) * pose.orientation;
     }
 }
@@ -155,8 +155,10 @@ double leavingUntil(const Surface& surface, double t, const Flight& flight, cons
         return -std::numeric_limits<double>::infinity();
     }
     const double parts_for = pull < 0.0 ? (parting - least_speed) / -pull : std::numeric_limits<double>::infinity();
-    if (surface.frame.angular_velocity != Vec3(0.0) || !(parting > 0.0)) {
-        return t + parts_for;
+    if (const double spin = glm::length(surface.frame.angular_velocity); spin > 0.0 || !(parting > 0.0)) {
+        // Beyond this turn (rad) the plane is another one.
+        constexpr double kMostTurn = 0.25;
+        return t + std::min(parts_for, spin > 0.0 ? kMostTurn / spin : parts_for);
     }
     const double height = glm::dot(flight.position - surface.pointAt(t), normal);
     for (double span = shape.length() / parting; span < parts_for; span *= 2.0) {
@@ -167,6 +169,29 @@ double leavingUntil(const Surface& surface, double t, const Flight& flight, cons
         }
     }
     return t + parts_for;
+}
+
+double outOfReach(const Surface& surface, double t, const Flight& flight, const Shape& shape) {
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    constexpr int kLooks = 64;
+    if (!surface.solid) {
+        return kNever;
+    }
+    const MovingFrame& frame = surface.frame;
+    const double radius = surface.solid->boundingRadius();
+    const double way = radius + shape.boundingRadius();
+    const double pull = glm::length(flight.gravity);
+    const double by_speed = way / glm::length(flight.velocity - frame.velocity);
+    const double step = 0.25 * std::min(by_speed, std::sqrt(way / pull));
+    for (int i = 1; i <= kLooks && step < kNever; ++i) {
+        const double elapsed = i * step;
+        const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
+        const double reach = flightBounds(flight, shape, elapsed, elapsed).reach;
+        if (glm::length(position - frame.originAt(t + elapsed)) > radius + reach) {
+            return t + elapsed;
+        }
+    }
+    return kNever;
 }
 
 FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from, double to) {
@@ -181,8 +206,9 @@ FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from,
     FlightBounds bounds;
     bounds.speed = std::sqrt(most_climb * most_climb + across * across);
     const bool eases = from < flight.ease.span;
-    const double longest = stretchAt(flight, bounds.speed) + (eases ? std::max(0.0, flight.ease.stretch) : 0.0);
-    const double flattest = 1.0 + (eases ? std::min(0.0, flight.ease.stretch) : 0.0);
+    const double fastest_stretch = stretchAt(flight, bounds.speed);
+    const double longest = eases ? std::max(fastest_stretch, flight.ease.stretch) : fastest_stretch;
+    const double flattest = eases ? std::min(1.0, flight.ease.stretch) : 1.0;
     const double along = longest * shape.reachAlong();
     const double across_reach = shape.reachAcross() / std::sqrt(flattest);
     bounds.reach = std::sqrt(along * along + across_reach * across_reach);
@@ -192,7 +218,7 @@ FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from,
     // The easing's slope is at most 1.5.
     const double easing = eases ? 1.5 / flight.ease.span : 0.0;
     const double stretch_rate =
-        pull * k * (flight.max_stretch - 1.0) / (damped * damped) + easing * std::fabs(flight.ease.stretch);
+        pull * k * (flight.max_stretch - 1.0) / (damped * damped) + easing * (longest - flattest);
     const double across_part = 0.5 * across_reach / flattest;
     const double lengthening =
         stretch_rate * std::sqrt(shape.reachAlong() * shape.reachAlong() + across_part * across_part);

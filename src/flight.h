@@ -36,6 +36,10 @@ void easeFrom(Flight& flight, const Pose& pose, double span);
 [[nodiscard]] double leavingUntil(const Surface& surface, double t, const Flight& flight, const Shape& shape,
                                   double least_speed);
 
+/// A time from which on, at first, the bounding balls of the body and of the surface's solid are apart: the surface's
+/// plane, which goes on beyond the solid, need not hold it any more. Infinity for a plane, and where none is found.
+[[nodiscard]] double outOfReach(const Surface& surface, double t, const Flight& flight, const Shape& shape);
+
 /// Bounds that hold at every time within [from, to] (s after the flight's begin).
 struct FlightBounds {
     double reach = 0.0;      ///< greatest distance of a point of the body from its centroid, m

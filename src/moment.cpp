@@ -18,7 +18,7 @@ constexpr double kLeastLeaving = 1e-3;
 /// Turns (rad) and stretches up to this are rounding.
 constexpr double kSameForm = 1e-9;
 /// Within this share of its length a waiting surface is touched.
-constexpr double kTouched = 1e-6;
+constexpr double kTouched = 5e-7;
 
 const ObstacleSlot* slotOf(const Surroundings& around, ObstacleId id) {
     const bool known = id.slot != 0 && id.slot <= around.obstacles.size();
@@ -87,7 +87,8 @@ void Moment::fly(const Pose& pose, const Vec3& velocity, Lead lead, std::span<co
     for (const Left& left : lefts) {
         const Surface plane =
             left.surface.solid ? separatingPlane(left.surface, *body_.shape, first, t_) : left.surface;
-        double until = leavingUntil(plane, t_, flight, *body_.shape, leastPartingSpeed(plane));
+        double until = std::min(leavingUntil(plane, t_, flight, *body_.shape, leastPartingSpeed(plane)),
+                                outOfReach(left.surface, t_, flight, *body_.shape));
         if (left.parts) {
             until = std::max({until, t_ + kLeastLeaving, t_ + left.for_at_least});
         }
@@ -140,8 +141,8 @@ void Moment::endSlide() {
     const ObstacleSlot* obstacle = slotOf(around_, phase.obstacle);
     const Pose pose = this->pose();
     const Vec3 velocity = this->velocity();
-    const double elapsed = t_ - phase.start;
-    const Vec3 along = slideVelocity(slide, elapsed);
+    const double elapsed = t_ - slide.begun;
+    const Vec3 along = slideVelocity(slide, t_);
     const Vec3 foot = slide.foot + (slide.velocity + slide.acceleration * (0.5 * elapsed)) * elapsed;
     const double speed = glm::length(along);
     constexpr double kMomentOnFace = 1e-6;
@@ -167,14 +168,15 @@ void Moment::endSlide() {
 void Moment::touchInSlide(const Met& met) {
     const auto& slide = std::get<Slide>(body_.phase.motion);
     const ObstacleId id = idOfObstacle(met.obstacle, around_.obstacles[met.obstacle]);
-    Surface under = slide.surface;
-    under.solid = nullptr;
+    const Surface under =
+        slide.surface.solid ? separatingPlane(slide.surface, *body_.shape, pose(), t_) : slide.surface;
     Met solid = met;
     solid.surface.solid = around_.obstacles[met.obstacle].shape;
     if (beginImpactWith(solid, pose(), velocity(), {{under, body_.phase.obstacle, t_}})) {
         return;
     }
     Phase phase = body_.phase;
+    phase.start = t_;
     phase.clear_of.push_back({met.surface, id, t_});
     begin(std::move(phase));
 }
@@ -201,6 +203,13 @@ bool Moment::beginImpactWith(const Met& met, const Pose& pose, const Vec3& veloc
     phase.obstacle = idOfObstacle(met.obstacle, obstacle);
     phase.motion = *impact;
     phase.clear_of = std::move(waiting);
+    for (KeptClear& kept : phase.clear_of) {
+        const bool presses = opposes(impact->surface.normalAt(t_), kept.surface.normalAt(t_));
+        if (presses && !kept.presses) {
+            note(EventType::Squeeze, kept.obstacle, kept.surface, 0.0, impact->curve);
+        }
+        kept.presses = presses;
+    }
     if (!phase.clear_of.empty()) {
         phase.end = blockedAt(phase, *body_.shape);
     }
@@ -233,9 +242,10 @@ void Moment::queue(const Met& met) {
     Phase phase = body_.phase;
     phase.start = t_;
     const ObstacleId id = idOfObstacle(met.obstacle, around_.obstacles[met.obstacle]);
-    phase.clear_of.push_back({met.surface, id, t_});
     const auto& impact = std::get<Impact>(phase.motion);
-    if (opposes(impact.surface.normalAt(t_), met.surface.normalAt(t_))) {
+    const bool presses = opposes(impact.surface.normalAt(t_), met.surface.normalAt(t_));
+    phase.clear_of.push_back({.surface = met.surface, .obstacle = id, .since = t_, .presses = presses});
+    if (presses) {
         note(EventType::Squeeze, id, met.surface, 0.0, impact.curve);
     }
     if (body_.style.corner_rule == CornerRule::Blended) {
@@ -273,6 +283,7 @@ std::vector<KeptClear> Moment::pressingOn(const Surface& surface) const {
         const Vec3 closing = kept.surface.frame.velocityAt(t_, point) - surface.frame.velocityAt(t_, point);
         if (opposes(normal, other) && glm::dot(closing, other) > 0.0) {
             pressing.push_back(kept);
+            pressing.back().presses = true;
         }
     }
     return pressing;
@@ -366,7 +377,7 @@ void Moment::hitAtRest(const Met& met) {
     }
     Phase phase = body_.phase;
     phase.start = t_;
-    phase.clear_of.push_back({met.surface, id, t_});
+    phase.clear_of.push_back({.surface = met.surface, .obstacle = id, .since = t_, .presses = presses});
     if (presses) {
         note(EventType::Squeeze, id, met.surface, 0.0, ImpactCurve{});
     }

@@ -71,7 +71,7 @@ Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor) {
         return impactPose(*impact, shape, time, factor);
     }
     if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
-        return slidePose(*slide, shape, phase.start, time - phase.start, factor);
+        return slidePose(*slide, shape, time, factor);
     }
     return restPose(std::get<Rest>(phase.motion), shape, time, factor);
 }
@@ -90,7 +90,7 @@ Vec3 velocityAt(const Phase& phase, const Shape& shape, double t) {
     }
     if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
         const MovingFrame& frame = slide->surface.frame;
-        return frame.velocity + frame.orientation * slideVelocity(*slide, time - phase.start);
+        return frame.velocity + frame.orientation * slideVelocity(*slide, time);
     }
     const auto& rest = std::get<Rest>(phase.motion);
     return rest.surface.frame.velocityAt(time, restPose(rest, shape, time, 1.0).position);

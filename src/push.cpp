@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <vector>
 
 namespace elastoon {
 
@@ -22,15 +24,12 @@ constexpr double kLeastWay = 0.25;
 constexpr std::size_t kMostBarriers = 16;
 /// A body is never squashed or stretched by more than this factor because it has no room.
 constexpr double kMostSqueeze = 20.0;
+/// A body is pushed aside by at most this many times its (stretched) radius.
+constexpr double kMostPush = 2.0;
 /// Of looking for a shift that clears all and changes no more.
 constexpr int kMostRounds = 24;
 /// What may be left of a depth after that many, as a share of the length.
 constexpr double kGoodEnough = 1e-7;
-
-bool feasible(std::span<const Barrier> barriers, const Vec3& shift, double slack) {
-    return std::all_of(barriers.begin(), barriers.end(),
-                       [&](const Barrier& b) { return b.gap + glm::dot(shift, b.way) >= -slack; });
-}
 
 /// Shortest d with d . a = p, d . b = q; none where the two are all but parallel.
 std::optional<Vec3> onTwo(const Vec3& a, double p, const Vec3& b, double q) {
@@ -58,12 +57,13 @@ class Shortest {
 public:
     Shortest(std::span<const Barrier> barriers, double slack) : barriers_(barriers), slack_(slack) {}
 
-    void consider(const std::optional<Vec3>& shift) {
+    /// A shift that lies on these barriers; rounding may have put it a little beyond them.
+    void consider(const std::optional<Vec3>& shift, std::initializer_list<std::size_t> on) {
         if (!shift) {
             return;
         }
         const double squared = glm::dot(*shift, *shift);
-        if ((!best_ || squared < squared_) && feasible(barriers_, *shift, slack_)) {
+        if ((!best_ || squared < squared_) && clears(*shift, on)) {
             best_ = shift;
             squared_ = squared;
         }
@@ -71,6 +71,16 @@ public:
     [[nodiscard]] const std::optional<Vec3>& best() const { return best_; }
 
 private:
+    [[nodiscard]] bool clears(const Vec3& shift, std::initializer_list<std::size_t> on) const {
+        for (std::size_t i = 0; i < barriers_.size(); ++i) {
+            const bool given = std::find(on.begin(), on.end(), i) != on.end();
+            if (!given && !(barriers_[i].gap + glm::dot(shift, barriers_[i].way) >= -slack_)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     std::span<const Barrier> barriers_;
     double slack_;
     std::optional<Vec3> best_;
@@ -131,7 +141,8 @@ public:
 
 private:
     [[nodiscard]] double leastGap() const;
-    [[nodiscard]] std::optional<Vec3> nextShift() const;
+    [[nodiscard]] std::optional<Vec3> nextShift();
+    void cut(const KeptClear& kept);
     bool moveTo(const Vec3& shift);
 
     const Phase& phase_;
@@ -143,6 +154,12 @@ private:
     Vec3 normal_;
     Vec3 shift_{0.0};
     Footing footing_;
+    /// What bounds the shift: the barriers as they are at this shift, and of earlier ones those that still bind.
+    struct Cut {
+        Barrier barrier;
+        bool keeps = false; ///< true of every shift, not only of those nearby
+    };
+    std::vector<Cut> cuts_;
 };
 
 double Mover::leastGap() const {
@@ -153,21 +170,42 @@ double Mover::leastGap() const {
     return least;
 }
 
-std::optional<Vec3> Mover::nextShift() const {
-    std::array<Barrier, kMostBarriers> barriers;
-    std::size_t count = 0;
-    for (const KeptClear& kept : phase_.clear_of) {
-        const Vec3 other = kept.surface.normalAt(t_);
-        if (t_ > kept.until || count == kMostBarriers || (primary_ != nullptr && continues(normal_, other))) {
-            continue;
-        }
-        Vec3 way = primary_ != nullptr ? wayAlong(normal_, other) : other;
-        if (way != Vec3(0.0)) {
-            way += footing_.slope * glm::dot(other, normal_);
-        }
-        barriers[count++] = {way, gapTo(kept.surface, shape_, pose_, t_) - glm::dot(way, shift_)};
+/// Over a convex solid the height is a concave function of the shift. Where the other surface faces up, then, so is the
+/// gap, and its tangents bound it for good (Kelley's cutting planes); where it faces down, they do so only nearby.
+void Mover::cut(const KeptClear& kept) {
+    const Vec3 other = kept.surface.normalAt(t_);
+    if (primary_ != nullptr && continues(normal_, other)) {
+        return;
     }
-    return leastPush({barriers.data(), count}, shape_.length() * std::max(1.0, own_.stretch));
+    Vec3 way = primary_ != nullptr ? wayAlong(normal_, other) : other;
+    const double up = glm::dot(other, normal_);
+    if (way != Vec3(0.0)) {
+        way += footing_.slope * up;
+    }
+    const Barrier barrier{way, gapTo(kept.surface, shape_, pose_, t_) - glm::dot(way, shift_)};
+    const auto same =
+        std::find_if(cuts_.begin(), cuts_.end(), [&](const Cut& c) { return glm::length(c.barrier.way - way) < 1e-12; });
+    if (same != cuts_.end()) {
+        same->barrier.gap = std::min(same->barrier.gap, barrier.gap);
+    } else {
+        cuts_.push_back({barrier, up > 0.0});
+    }
+}
+
+std::optional<Vec3> Mover::nextShift() {
+    const double binding = 1e-9 * shape_.length();
+    std::erase_if(cuts_, [&](const Cut& c) {
+        return !c.keeps || c.barrier.gap + glm::dot(c.barrier.way, shift_) > binding;
+    });
+    for (const KeptClear& kept : phase_.clear_of) {
+        if (t_ <= kept.until && cuts_.size() < kMostBarriers) {
+            cut(kept);
+        }
+    }
+    std::array<Barrier, kMostBarriers> barriers;
+    std::transform(cuts_.begin(), cuts_.end(), barriers.begin(), [](const Cut& c) { return c.barrier; });
+    const double size = shape_.boundingRadius() * std::max(own_.stretch, 1.0 / std::sqrt(own_.stretch));
+    return leastPush({barriers.data(), cuts_.size()}, kMostPush * size);
 }
 
 bool Mover::moveTo(const Vec3& shift) {
@@ -261,12 +299,12 @@ std::optional<Vec3> leastPush(std::span<const Barrier> all, double most) {
         if (squared == 0.0) {
             continue;
         }
-        shortest.consider(a.way * (-a.gap / squared));
+        shortest.consider(a.way * (-a.gap / squared), {i});
         for (std::size_t j = 0; j < i; ++j) {
             const Barrier& b = barriers[j];
-            shortest.consider(onTwo(a.way, -a.gap, b.way, -b.gap));
+            shortest.consider(onTwo(a.way, -a.gap, b.way, -b.gap), {i, j});
             for (std::size_t k = 0; k < j; ++k) {
-                shortest.consider(onThree(a, b, barriers[k]));
+                shortest.consider(onThree(a, b, barriers[k]), {i, j, k});
             }
         }
     }
@@ -282,10 +320,8 @@ struct Fit {
 };
 
 bool isPressed(const Phase& phase, double t) {
-    const Surface* primary = surfaceOf(phase);
-    return primary != nullptr && std::any_of(phase.clear_of.begin(), phase.clear_of.end(), [&](const KeptClear& kept) {
-               return opposes(primary->normalAt(t), kept.surface.normalAt(t));
-           });
+    return std::any_of(phase.clear_of.begin(), phase.clear_of.end(),
+                       [&](const KeptClear& kept) { return kept.presses && t <= kept.until; });
 }
 
 /// Flatter or longer, whichever fits sooner; then as near to its own stretch as fits.
@@ -338,21 +374,28 @@ Pose keptClear(const Phase& phase, const Shape& shape, double t) {
 
 double blockedAt(const Phase& phase, const Shape& shape) {
     constexpr int kLooks = 48;
-    double fits_at = phase.start;
-    for (int i = 0; i <= kLooks; ++i) {
-        const double t = i == kLooks ? phase.end : phase.start + (phase.end - phase.start) * i / kLooks;
-        if (fitted(phase, shape, t).fits) {
-            fits_at = t;
-            continue;
+    constexpr int kMostNarrowings = 8;
+    double end = phase.end;
+    // Where it is first found blocked it may have been blocked before: it is looked at again, more closely.
+    for (int narrowing = 0; narrowing < kMostNarrowings; ++narrowing) {
+        double fits_at = phase.start;
+        double blocked = end;
+        bool fits = true;
+        for (int i = 0; fits && i <= kLooks; ++i) {
+            const double t = i == kLooks ? end : phase.start + (end - phase.start) * i / kLooks;
+            fits = fitted(phase, shape, t).fits;
+            (fits ? fits_at : blocked) = t;
         }
-        double blocked = t;
+        if (fits) {
+            return end;
+        }
         while (blocked - fits_at > 1e-9 * (phase.end - phase.start)) {
             const double middle = 0.5 * (fits_at + blocked);
             (fitted(phase, shape, middle).fits ? fits_at : blocked) = middle;
         }
-        return fits_at;
+        end = fits_at;
     }
-    return phase.end;
+    return end;
 }
 
 double pushGain(const Phase& phase, double t) {

@@ -153,10 +153,10 @@ Vec3 contactAlongWay(const Slide& slide, const Shape& shape) {
     Slide plain = slide;
     plain.ease = {};
     plain.surface.solid = nullptr;
-    const double t = slide.surface.frame.start;
+    const double t = slide.begun;
     Surface plane = slide.surface;
     plane.solid = nullptr;
-    return plane.frame.frameFromWorld(t, contactPoint(shape, slidePose(plain, shape, t, 0.0), plane, t));
+    return plane.frame.frameFromWorld(t, contactPoint(shape, slidePose(plain, shape, t), plane, t));
 }
 
 } // namespace
@@ -185,6 +185,7 @@ std::optional<SlideBegun> beginSlide(const Touching& touching, const Shape& shap
     const Vec3 way = speed > 1e-6 * rest_speed ? tangential / speed : glm::normalize(pull);
     SlideBegun begun;
     Slide& slide = begun.slide;
+    slide.begun = t;
     slide.surface = surface;
     slide.direction = frame_from_world * way;
     slide.velocity = frame_from_world * tangential;
@@ -197,7 +198,7 @@ std::optional<SlideBegun> beginSlide(const Touching& touching, const Shape& shap
     const Vec3 axis = principalAxis(orientation);
     const Vec3 target = glm::dot(axis, slide.direction) < 0.0 ? -slide.direction : slide.direction;
     slide.orientation = unitOf(rotationBetween(axis, target) * orientation);
-    const Pose own = slidePose(slide, shape, t, 0.0);
+    const Pose own = slidePose(slide, shape, t);
     slide.ease = easeBetween({Vec3(0.0), orientation, touching.pose.stretch},
                              {Vec3(0.0), slide.orientation, own.stretch}, settlingTime(style, shape.length()));
     const Vec3 contact = contactAlongWay(slide, shape);
@@ -209,8 +210,8 @@ std::optional<SlideBegun> beginSlide(const Touching& touching, const Shape& shap
     return begun;
 }
 
-Vec3 slideVelocity(const Slide& slide, double elapsed) {
-    return slide.velocity + slide.acceleration * elapsed;
+Vec3 slideVelocity(const Slide& slide, double t) {
+    return slide.velocity + slide.acceleration * (t - slide.begun);
 }
 
 double slideStretch(const Slide& slide, double speed) {
@@ -218,8 +219,9 @@ double slideStretch(const Slide& slide, double speed) {
     return (scaled * slide.max_stretch + 1.0) / (scaled + 1.0);
 }
 
-Pose slidePose(const Slide& slide, const Shape& shape, double start, double elapsed, double factor) {
-    const Vec3 velocity = slideVelocity(slide, elapsed);
+Pose slidePose(const Slide& slide, const Shape& shape, double t, double factor) {
+    const double elapsed = t - slide.begun;
+    const Vec3 velocity = slideVelocity(slide, t);
     const double speed = glm::length(velocity);
     Pose pose;
     pose.stretch = slideStretch(slide, speed);
@@ -233,7 +235,7 @@ Pose slidePose(const Slide& slide, const Shape& shape, double start, double elap
     pose.position = foot;
     pose.position += slide.surface.normal * liftToTouch(slide.surface, shape, pose);
     const MovingFrame& frame = slide.surface.frame;
-    return {frame.worldFromFrame(start + elapsed, pose.position), frame.orientation * pose.orientation, pose.stretch};
+    return {frame.worldFromFrame(t, pose.position), frame.orientation * pose.orientation, pose.stretch};
 }
 
 } // namespace elastoon

@@ -19,12 +19,12 @@ struct SlideBegun {
 /// enough along it to come to rest, or there is no face under it, or the surface turns or is too steep.
 [[nodiscard]] std::optional<SlideBegun> beginSlide(const Touching& touching, const Shape& shape, const Style& style);
 
-/// Pose with the slide's stretch times `factor`, `elapsed` s after it began at time `start`.
-[[nodiscard]] Pose slidePose(const Slide& slide, const Shape& shape, double start, double elapsed, double factor = 1.0);
+/// Pose at time t with the slide's stretch times `factor`.
+[[nodiscard]] Pose slidePose(const Slide& slide, const Shape& shape, double t, double factor = 1.0);
 /// At this speed along the surface, without the ease.
 [[nodiscard]] double slideStretch(const Slide& slide, double speed);
-/// In the frame, along the surface.
-[[nodiscard]] Vec3 slideVelocity(const Slide& slide, double elapsed);
+/// At time t, in the frame, along the surface.
+[[nodiscard]] Vec3 slideVelocity(const Slide& slide, double t);
 
 /// Time from which on the foot + velocity t + acceleration t^2 / 2 (in the frame) is off the solid's face under the
 /// surface's plane. Infinite on a plane; 0 where the foot is on no face.

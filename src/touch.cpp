@@ -173,7 +173,7 @@ std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const 
         }
         t = next > t ? next : std::nextafter(t, to);
     }
-    return t;
+    return approach.gap(t) <= kFinishGap * shape.length() ? std::optional(t) : std::nullopt;
 }
 
 namespace {

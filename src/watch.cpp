@@ -82,13 +82,14 @@ HeldBounds slideBounds(const Slide& slide, const Shape& shape, double from, doub
     const Vec3 across = slide.acceleration - slide.direction * glm::dot(slide.acceleration, slide.direction);
     const double turning =
         glm::length(across) > 1e-12 * pull ? glm::length(across) / (0.9 * std::min(first, last)) : 0.0;
-    const double longest = slideStretch(slide, speed) + std::max(0.0, slide.ease.stretch);
-    const double flattest = 1.0 + std::min(0.0, slide.ease.stretch);
+    const bool eases = from - slide.begun < slide.ease.span;
+    const double longest = std::max(slideStretch(slide, speed), eases ? slide.ease.stretch : 1.0);
+    const double flattest = eases ? std::min(1.0, slide.ease.stretch) : 1.0;
     const double along = longest * shape.reachAlong();
     const double wide = shape.reachAcross() / std::sqrt(flattest);
-    const double easing = from < slide.ease.span ? 1.5 / slide.ease.span : 0.0;
+    const double easing = eases ? 1.5 / slide.ease.span : 0.0;
     const double stretching =
-        slide.stretch_rate * (slide.max_stretch - 1.0) * pull + easing * std::fabs(slide.ease.stretch);
+        slide.stretch_rate * (slide.max_stretch - 1.0) * pull + easing * (longest - flattest);
     HeldBounds bounds;
     bounds.reach = std::sqrt(along * along + wide * wide);
     const double widening = 0.5 * wide / flattest;
@@ -104,7 +105,7 @@ HeldBounds ownBounds(const Phase& phase, const Shape& shape, double from, double
         return impactBounds(*impact, shape, from, to);
     }
     if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
-        return slideBounds(*slide, shape, from - phase.start, to - phase.start);
+        return slideBounds(*slide, shape, from, to);
     }
     return restBounds(std::get<Rest>(phase.motion), shape);
 }

@@ -236,6 +236,19 @@ void World::Impl::letGo(BodyId id, ObstacleId obstacle) {
         now(id).wake(lefts);
     } else if (near && std::holds_alternative<Rest>(body.phase.motion)) {
         now(id).recover();
+    } else if (near) {
+        // The push goes on as it was, or the body would jump; but it may meet the obstacle elsewhere.
+        Phase phase = body.phase;
+        for (KeptClear& kept : phase.clear_of) {
+            kept.obstacle = isOfIt(kept) ? ObstacleId{} : kept.obstacle;
+        }
+        if (std::holds_alternative<Flight>(phase.motion)) {
+            body.phase = phase;
+            now(id).flyOn();
+        } else {
+            phase.start = time;
+            now(id).begin(phase);
+        }
     }
 }
 
@@ -283,10 +296,16 @@ std::vector<ObstacleId> World::obstacles() const {
     return ids;
 }
 
-/// The body flies on from its present pose; the stretch and axis become those of the velocity.
+/// The body flies on from its present pose; the stretch and axis become those of the velocity: at once if there is
+/// room, else by and by.
 void World::Impl::fly(BodyId id, const Vec3& velocity, const std::vector<Left>& lefts) {
     const BodySlot& body = *find(id);
-    now(id).fly(poseAt(body.phase, *body.shape, time), velocity, Lead::Nearest, lefts);
+    const Pose pose = poseAt(body.phase, *body.shape, time);
+    now(id).fly(pose, velocity, Lead::Nearest, lefts);
+    if (overlap(*body.shape, poseAt(body.phase, *body.shape, time))) {
+        pending.phases.pop_back();
+        now(id).fly(pose, velocity, Lead::Nearest, lefts, settlingTime(body.style, body.shape->length()));
+    }
 }
 
 Status World::setPosition(BodyId id, const Vec3& position) {
@@ -388,7 +407,11 @@ void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& fram
             drops = glm::dot(change, surface.normalAt(time)) < 0.0;
         }
         surface.frame = frame;
-        phase.end = rest != nullptr ? holdsUntil(surface, time, around.gravity, body.style) : phase.end;
+        if (rest != nullptr) {
+            const double end = holdsUntil(surface, time, around.gravity, body.style);
+            phase.end = end >= time || phase.clear_of.empty() ? std::max(end, time)
+                                                              : std::numeric_limits<double>::infinity();
+        }
     }
     // What drops away leaves the body with the velocity that it had.
     const Vec3 velocity = velocityAt(body.phase, *body.shape, time);

@@ -99,6 +99,8 @@ private:
     const Scene& scene_;
     const StagedScene& staged_;
     std::vector<RealVec> posed_;
+    Real nearest_ = 0; ///< obstacle's distance from posed_
+    std::string nearest_name_;
     std::map<const Shape*, SolidWitness> witnesses_;
 };
 
@@ -148,8 +150,13 @@ void Inspector::lookAt(const Track& track, const std::string& name, const Phase&
     }
     const double volume = static_cast<double>(volumeOf(shape, posed_));
     note(report.volume_error, std::fabs(volume / shape.volume() - 1.0), t, name, "");
+    // In a corner another obstacle may lift the body off the one that it met first.
+    nearest_ = std::numeric_limits<Real>::infinity();
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
         lookAtObstacle(track, name, phase, t, i);
+    }
+    if (!std::holds_alternative<Flight>(phase.motion) && nearest_ < std::numeric_limits<Real>::infinity()) {
+        note(report.gap, static_cast<double>(nearest_) / shape.length(), t, name, nearest_name_);
     }
 }
 
@@ -193,7 +200,7 @@ void Inspector::lookAtObstacle(const Track& track, const std::string& name, cons
     if (obstacle.shape) {
         const std::vector<RealVec> solid = solidAt(obstacle.def, t);
         least = boxGap(posed_, solid);
-        if (least <= 0 || held) {
+        if (least <= OracleReport::kMostGap * length || held) {
             least = separationBySat({&witnessOf(track.shape()), posed_}, {&witnessOf(obstacle.def.shape), solid});
         }
         note(report.solid_depth, static_cast<double>(-least) / length, t, name, obstacle.name);
@@ -205,8 +212,9 @@ void Inspector::lookAtObstacle(const Track& track, const std::string& name, cons
         }
         note(report.depth, static_cast<double>(-least) / length, t, name, obstacle.name);
     }
-    if (held) {
-        note(report.gap, static_cast<double>(least) / length, t, name, obstacle.name);
+    if (least < nearest_) {
+        nearest_ = least;
+        nearest_name_ = obstacle.name;
     }
 }
 

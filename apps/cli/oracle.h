@@ -20,7 +20,7 @@ struct Worst {
 struct OracleReport {
     Worst depth;        ///< penetration into a plane
     Worst solid_depth;  ///< penetration into a solid
-    Worst gap;          ///< distance from the surface during an impact or at rest
+    Worst gap;          ///< distance from the nearest obstacle while in contact
     Worst volume_error; ///< |V / V0 - 1| of the deformed polytope
     Worst jump;         ///< step in position, or in stretch, or in orientation (rad), where one phase follows another
     std::size_t poses = 0;

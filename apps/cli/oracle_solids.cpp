@@ -56,6 +56,21 @@ Real gapAlong(const PosedWitness& a, const PosedWitness& b, const RealVec& axis)
     return nearest_b - furthest_a;
 }
 
+/// The widest gap along a face normal of a, if it is above `best`. No axis has the two further apart than any of their
+/// points are along it: most axes are dropped by one point of each.
+Real widestAcrossFaces(const PosedWitness& a, const std::vector<RealVec>& normals, const PosedWitness& b, Real best) {
+    RealVec point = b.vertices.front();
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        if (dot(normals[i], minus(point, a.vertices[a.solid->faces[i].front()])) > best) {
+            best = std::max(best, gapAlong(a, b, normals[i]));
+            point = *std::min_element(b.vertices.begin(), b.vertices.end(), [&](const RealVec& p, const RealVec& q) {
+                return dot(normals[i], p) < dot(normals[i], q);
+            });
+        }
+    }
+    return best;
+}
+
 /// The arcs between the normals (a1, a2) and between (-b1, -b2) cross on the sphere.
 bool arcsCross(const RealVec& a1, const RealVec& a2, const RealVec& b1, const RealVec& b2) {
     const RealVec c{-b1[0], -b1[1], -b1[2]};
@@ -92,12 +107,8 @@ Real separationBySat(const PosedWitness& a, const PosedWitness& b) {
     const std::vector<RealVec> normals_a = normalsOf(a);
     const std::vector<RealVec> normals_b = normalsOf(b);
     Real best = -std::numeric_limits<Real>::infinity();
-    for (const RealVec& normal : normals_a) {
-        best = std::max(best, gapAlong(a, b, normal));
-    }
-    for (const RealVec& normal : normals_b) {
-        best = std::max(best, gapAlong(b, a, normal));
-    }
+    best = widestAcrossFaces(a, normals_a, b, best);
+    best = widestAcrossFaces(b, normals_b, a, best);
     for (const auto& edge_a : a.solid->edges) {
         const RealVec along_a = minus(a.vertices[edge_a.head], a.vertices[edge_a.tail]);
         for (const auto& edge_b : b.solid->edges) {
@@ -110,7 +121,9 @@ Real separationBySat(const PosedWitness& a, const PosedWitness& b) {
             if (dot(axis, outward) + dot(axis, normals_a[edge_a.right]) < 0) {
                 axis = {-axis[0], -axis[1], -axis[2]};
             }
-            if (dot(axis, axis) > 0.5L) {
+            // No axis has the two further apart than any of their points are along it.
+            const Real most = dot(axis, minus(b.vertices[edge_b.tail], a.vertices[edge_a.tail]));
+            if (dot(axis, axis) > 0.5L && most > best) {
                 best = std::max(best, gapAlong(a, b, axis));
             }
         }

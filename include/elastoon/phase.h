@@ -55,7 +55,7 @@ struct Ease {
     double span = 0.0; ///< s; 0: nothing to fade
     Vec3 axis{0.0, 0.0, 1.0}; ///< unit, world
     double angle = 0.0; ///< turn besides the velocity's, at the start, rad
-    double stretch = 0.0; ///< stretch besides the velocity's, at the start
+    double stretch = 1.0; ///< at the start
 };
 
 /// Free flight under constant gravity; the stretch and the axis follow the velocity.
@@ -92,9 +92,10 @@ struct Impact {
 
 /// Sliding along a surface: constant acceleration, the axis along the way, stretched by the speed. docs/contacts.md.
 struct Slide {
+    double begun = 0.0; ///< time at which what follows holds
     Surface surface; ///< its frame does not turn
-    Vec3 foot{0.0}; ///< of the centroid on the plane at the start, in the frame; likewise all that follows
-    Vec3 direction{1.0, 0.0, 0.0}; ///< unit, of the way at the start
+    Vec3 foot{0.0}; ///< of the centroid on the plane, in the frame; likewise all that follows
+    Vec3 direction{1.0, 0.0, 0.0}; ///< unit, of the way
     Vec3 velocity{0.0};
     Vec3 acceleration{0.0};
     Quat orientation{kNoRotation}; ///< that goes with the direction
@@ -115,6 +116,7 @@ struct KeptClear {
     ObstacleId obstacle;
     double since = 0.0; ///< when it was left, or come near to
     double until = std::numeric_limits<double>::infinity(); ///< inclusive
+    bool presses = false; ///< it closes on the body from the other side, which flattens where nothing else helps
 };
 
 /// One phase of one body: immutable once made.
