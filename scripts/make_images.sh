@@ -29,7 +29,7 @@ for file in scenes/styles/*.json; do
   "$program" render scenes/styles-impact.json --style "$name" --sheet 16x1 --fps 24 --frames 19:35 \
     -o "$images/style-$name-impact.png" --size 1280x104 --samples 64
 done
-"$program" render scenes/rest.json --sheet 6x5 --fps 24 --frames 8:38 -o "$images/rest.png" --size 1280x560 --samples 64
+"$program" render scenes/contacts/rest.json --sheet 6x5 --fps 24 --frames 8:38 -o "$images/rest.png" --size 1280x560 --samples 64
 "$program" render scenes/stairs.json --strobe -o "$images/stairs.png" --size 960x540
 "$program" render scenes/pachinko.json --strobe -o "$images/pachinko.png" --size 960x540 --samples 16
 shrink "$images"/{style-*,figure-[567]-*,rest,stairs,pachinko}.png

@@ -28,6 +28,7 @@ struct Meeting {
     double normal_speed = 0.0; ///< of parting; negative when approaching
     double rest_speed = 0.0;
     bool can_hold = false;
+    bool wedged = false; ///< it can, together with what else is touched
     bool can_skip = false; ///< there is a plane under it to skip along
 };
 
@@ -92,6 +93,25 @@ bool canHold(const Surface& surface, double t, const Vec3& gravity, const Style&
     return pull > 0.0 && glm::dot(surface.normalAt(t), gravity) <= -pull * detSinCos(style.rest_slope).cos;
 }
 
+bool holdTogether(std::span<const Vec3> normals, const Vec3& gravity, const Style& style) {
+    const double pull = glm::length(gravity);
+    if (pull == 0.0 || normals.size() < 2) {
+        return false;
+    }
+    // What is left of the pull when each pushes, and none pulls, as well as it can (projected Gauss-Seidel).
+    constexpr int kRounds = 200;
+    std::vector<double> pushes(normals.size(), 0.0);
+    Vec3 left = gravity / pull;
+    for (int round = 0; round < kRounds; ++round) {
+        for (std::size_t i = 0; i < normals.size(); ++i) {
+            const double push = std::max(0.0, pushes[i] - glm::dot(left, normals[i]));
+            left += normals[i] * (push - pushes[i]);
+            pushes[i] = push;
+        }
+    }
+    return glm::length(left) <= detSinCos(style.rest_slope).sin;
+}
+
 double holdsUntil(const Surface& surface, double t, const Vec3& gravity, const Style& style) {
     constexpr double kForGood = std::numeric_limits<double>::infinity();
     if (!canHold(surface, t, gravity, style)) {
@@ -154,7 +174,10 @@ void planImpact(Impact& impact, const Touching& touching, const Meeting& meeting
                 input.speed_out = glm::dot(impact.velocity_out, impact.surface.normal);
                 impact.curve = withTimesOf(skipCurve(style, input), impact.curve, sticks);
             }
-            planTurn(impact, touching.time, touching.gravity, away, style);
+            // What a groove holds stays as it lies: upright on one side it would leave the other.
+            if (!(impact.comes_to_rest && meeting.wedged)) {
+                planTurn(impact, touching.time, touching.gravity, away, style);
+            }
         }
     };
     impact.skims = Vec3(0.0);
@@ -193,7 +216,11 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
     meeting.relative_velocity = touching.velocity - frame.velocityAt(t, contact);
     meeting.normal_speed = glm::dot(meeting.relative_velocity, meeting.normal);
     meeting.rest_speed = restSpeed(style, shape.length(), glm::length(touching.gravity));
-    meeting.can_hold = canHold(touching.surface, t, touching.gravity, style);
+    std::vector<Vec3> touched = touching.besides;
+    touched.push_back(meeting.normal);
+    meeting.wedged =
+        !canHold(touching.surface, t, touching.gravity, style) && holdTogether(touched, touching.gravity, style);
+    meeting.can_hold = meeting.wedged || canHold(touching.surface, t, touching.gravity, style);
 
     const Vec3 in_frame = frame.frameFromWorld(t, contact);
     const Vec3 way = glm::conjugate(frame.orientationAt(t)) * meeting.relative_velocity;
@@ -214,7 +241,13 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
     impact.contact_in_shape = (glm::conjugate(touching.pose.orientation) * (contact - touching.pose.position)) /
                               scaleOf(touching.pose.stretch);
     const double reflected = style.restitution * std::max(0.0, -meeting.normal_speed);
-    impact.comes_to_rest = meeting.can_hold && reflected < meeting.rest_speed;
+    // A groove stops also what would come up again by no more than this share of its size: every hop in it ends in a
+    // turn that lifts the body once more.
+    constexpr double kHopInGroove = 0.1;
+    const double least_hop = std::sqrt(4.0 * glm::length(touching.gravity) * kHopInGroove * shape.boundingRadius());
+    const bool stays = meeting.wedged ? style.restitution * glm::length(meeting.relative_velocity) < least_hop
+                                      : reflected < meeting.rest_speed;
+    impact.comes_to_rest = meeting.can_hold && stays;
     impact.velocity_in = glm::conjugate(world_from_frame) * meeting.relative_velocity;
     impact.velocity_out =
         glm::conjugate(world_from_frame) * relativeVelocityOut(meeting, style.restitution, impact.comes_to_rest);
@@ -224,9 +257,10 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
             // Beyond the edge nothing bears it: it tips off.
             impact.comes_to_rest = false;
             meeting.can_hold = false;
-            const Vec3 tips = glm::normalize(off) * meeting.rest_speed;
             impact.velocity_out =
-                glm::conjugate(world_from_frame) * relativeVelocityOut(meeting, style.restitution, false) + tips;
+                glm::conjugate(world_from_frame) * relativeVelocityOut(meeting, style.restitution, false);
+            const Vec3 outward = glm::normalize(off);
+            impact.velocity_out += outward * std::max(0.0, meeting.rest_speed - glm::dot(impact.velocity_out, outward));
             planImpact(impact, touching, meeting, shape, style);
         }
     }

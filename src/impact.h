@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace elastoon {
 
@@ -16,10 +17,14 @@ struct Touching {
     Vec3 velocity{0.0};
     Vec3 gravity{0.0};
     Surface surface; ///< its point and normal, in its frame; the point may lie anywhere on the plane
+    std::vector<Vec3> besides; ///< normals (world) of what else it touches
 };
 
 /// Whether the surface can hold a body of this style at rest at time t: it is level enough. Never without gravity.
 [[nodiscard]] bool canHold(const Surface& surface, double t, const Vec3& gravity, const Style& style);
+
+/// Whether surfaces with these normals, each too steep for it, hold a body between them, as a groove does.
+[[nodiscard]] bool holdTogether(std::span<const Vec3> normals, const Vec3& gravity, const Style& style);
 
 /// Until when, from time t on, the surface holds a body of this style: a turning one tips it off. Infinite: for good.
 /// -infinity where it does not hold it at t.
@@ -29,7 +34,6 @@ struct Touching {
 /// pushed clear.
 [[nodiscard]] std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, const Style& style);
 
-/// Pose with the curve's stretch times `factor`.
 /// A surface that is touched besides: its normal and what it does at the contact, in the primary surface's frame.
 struct AlsoTouched {
     Vec3 normal{0.0};
@@ -41,6 +45,7 @@ struct AlsoTouched {
 [[nodiscard]] Impact blendImpact(const Impact& impact, double t, std::span<const AlsoTouched> others,
                                  const Shape& shape, const Style& style, const Vec3& gravity);
 
+/// Pose with the curve's stretch times `factor`.
 [[nodiscard]] Pose impactPose(const Impact& impact, const Shape& shape, double t, double factor = 1.0);
 [[nodiscard]] Vec3 impactVelocity(const Impact& impact, const Shape& shape, double t, double end);
 /// Velocity (world) of the flight that follows, at the impact's end.

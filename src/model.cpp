@@ -73,7 +73,11 @@ ImpactCurve impactCurve(const Style& style, const ImpactInput& input) {
     const double span_out = curve.s_out - curve.s_mid;
     const double omega_in =
         std::max(omegaOf(style, input.length, input.speed_in, span_in), leastOmegaIn(style, input, span_in));
-    const double omega_out = std::max(omegaOf(style, input.length, input.speed_out, span_out), 0.5 * omega_in);
+    double omega_out = std::max(omegaOf(style, input.length, input.speed_out, span_out), 0.5 * omega_in);
+    if (span_in <= kLeastSpan && std::fabs(span_out) > kLeastSpan) {
+        // Without a squash that sets a pace, the form still takes time to change, and not for ever.
+        omega_out = std::max(omega_out, 0.5 * kPi / settlingTime(style, input.length));
+    }
     curve.omega_in = span_in > kLeastSpan || input.turns ? omega_in : 0.0;
     curve.omega_out = std::fabs(span_out) > kLeastSpan || input.turns ? omega_out : 0.0;
     if (input.turns) {
@@ -114,8 +118,11 @@ ImpactCurve withTimesOf(const ImpactCurve& curve, const ImpactCurve& other, doub
 ImpactCurve withEnd(const ImpactCurve& curve, const Style& style, double length, double speed_out, double s_out) {
     ImpactCurve changed = curve;
     changed.s_out = s_out;
-    changed.omega_out =
-        std::max(omegaOf(style, length, speed_out, std::fabs(s_out - curve.s_mid)), 0.5 * curve.omega_in);
+    const double span = std::fabs(s_out - curve.s_mid);
+    changed.omega_out = std::max(omegaOf(style, length, speed_out, span), 0.5 * curve.omega_in);
+    if (curve.omega_in <= 0.0 && span > kLeastSpan) {
+        changed.omega_out = std::max(changed.omega_out, 0.5 * kPi / settlingTime(style, length));
+    }
     changed.t_out = quarterPeriod(changed.omega_out);
     return changed;
 }

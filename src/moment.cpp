@@ -111,10 +111,26 @@ void Moment::flyOn() {
     fly(pose(), velocity(), Lead::Nearest, lefts, settlingTime(body_.style, body_.shape->length()));
 }
 
+Touching Moment::touchingOf(const Met& met, const Pose& pose, const Vec3& velocity,
+                            std::span<const KeptClear> waiting) const {
+    Touching touching{.time = t_,
+                      .pose = pose,
+                      .velocity = velocity,
+                      .gravity = around_.gravity,
+                      .surface = met.surface,
+                      .besides = {}};
+    for (const KeptClear& kept : waiting) {
+        if (gapTo(kept.surface, *body_.shape, pose, t_) <= kTouched * body_.shape->length()) {
+            touching.besides.push_back(kept.surface.normalAt(t_));
+        }
+    }
+    return touching;
+}
+
 /// False where the touch begins no slide.
-bool Moment::beginSlideOn(const Met& met, const Pose& pose, const Vec3& velocity, bool goes_on) {
-    const Touching touching{
-        .time = t_, .pose = pose, .velocity = velocity, .gravity = around_.gravity, .surface = met.surface};
+bool Moment::beginSlideOn(const Met& met, const Pose& pose, const Vec3& velocity, bool goes_on,
+                          std::span<const KeptClear> waiting) {
+    const Touching touching = touchingOf(met, pose, velocity, waiting);
     const std::optional<SlideBegun> begun = beginSlide(touching, *body_.shape, body_.style);
     if (!begun) {
         return false;
@@ -149,7 +165,8 @@ void Moment::endSlide() {
     const bool on_face = timeOnFace(slide.surface, foot, along, slide.acceleration) > kMomentOnFace;
     if (obstacle != nullptr && on_face) {
         const Met again{t_, phase.obstacle.slot - 1, slide.surface};
-        if (beginSlideOn(again, pose, velocity, true) || beginImpactWith(again, pose, velocity, phase.clear_of)) {
+        if (beginSlideOn(again, pose, velocity, true, phase.clear_of) ||
+            beginImpactWith(again, pose, velocity, phase.clear_of)) {
             return;
         }
     }
@@ -183,12 +200,11 @@ void Moment::touchInSlide(const Met& met) {
 
 /// False where the body is parting from the surface and not slow.
 bool Moment::beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, std::vector<KeptClear> waiting) {
-    if (beginSlideOn(met, pose, velocity, false)) {
+    if (beginSlideOn(met, pose, velocity, false, waiting)) {
         return true;
     }
     const ObstacleSlot& obstacle = around_.obstacles[met.obstacle];
-    const Touching touching{
-        .time = t_, .pose = pose, .velocity = velocity, .gravity = around_.gravity, .surface = met.surface};
+    const Touching touching = touchingOf(met, pose, velocity, waiting);
     const std::optional<Impact> impact = beginImpact(touching, *body_.shape, body_.style);
     if (!impact) {
         return false;
@@ -350,6 +366,10 @@ void Moment::endImpact() {
     // One that found no room to go on has not come to its resting form.
     const bool whole =
         t_ >= impact.begun + impact.curve.duration() && std::fabs(pose().stretch - impact.curve.s_out) < kSameForm;
+    if (impact.comes_to_rest && whole && !canHold(impact.surface, t_, around_.gravity, body_.style)) {
+        restOn(impact, phase.clear_of);
+        return;
+    }
     if ((impact.comes_to_rest && whole) || !pressing.empty()) {
         restOn(impact, pressing);
         return;

@@ -123,7 +123,7 @@ std::optional<Footing> footingOf(const Surface& primary, const Shape& shape, con
 }
 
 /// Moves a pose, along the primary surface and up from it, out of what it is to be kept clear of: Newton's method on
-/// the whole shift, so that what does not bind has no part in it.
+/// the whole shift.
 class Mover {
 public:
     Mover(const Phase& phase, const Shape& shape, double t, const Pose& own)
@@ -143,6 +143,7 @@ private:
     [[nodiscard]] double leastGap() const;
     [[nodiscard]] std::optional<Vec3> nextShift();
     void cut(const KeptClear& kept);
+    bool activateNext();
     bool moveTo(const Vec3& shift);
 
     const Phase& phase_;
@@ -160,6 +161,7 @@ private:
         bool keeps = false; ///< true of every shift, not only of those nearby
     };
     std::vector<Cut> cuts_;
+    std::vector<std::size_t> active_; ///< of what the phase is kept clear of: what has a part in the shift
 };
 
 double Mover::leastGap() const {
@@ -183,8 +185,8 @@ void Mover::cut(const KeptClear& kept) {
         way += footing_.slope * up;
     }
     const Barrier barrier{way, gapTo(kept.surface, shape_, pose_, t_) - glm::dot(way, shift_)};
-    const auto same =
-        std::find_if(cuts_.begin(), cuts_.end(), [&](const Cut& c) { return glm::length(c.barrier.way - way) < 1e-12; });
+    const auto same = std::find_if(cuts_.begin(), cuts_.end(),
+                                   [&](const Cut& c) { return glm::length(c.barrier.way - way) < 1e-12; });
     if (same != cuts_.end()) {
         same->barrier.gap = std::min(same->barrier.gap, barrier.gap);
     } else {
@@ -194,12 +196,11 @@ void Mover::cut(const KeptClear& kept) {
 
 std::optional<Vec3> Mover::nextShift() {
     const double binding = 1e-9 * shape_.length();
-    std::erase_if(cuts_, [&](const Cut& c) {
-        return !c.keeps || c.barrier.gap + glm::dot(c.barrier.way, shift_) > binding;
-    });
-    for (const KeptClear& kept : phase_.clear_of) {
-        if (t_ <= kept.until && cuts_.size() < kMostBarriers) {
-            cut(kept);
+    std::erase_if(cuts_,
+                  [&](const Cut& c) { return !c.keeps || c.barrier.gap + glm::dot(c.barrier.way, shift_) > binding; });
+    for (const std::size_t i : active_) {
+        if (cuts_.size() < kMostBarriers) {
+            cut(phase_.clear_of[i]);
         }
     }
     std::array<Barrier, kMostBarriers> barriers;
@@ -232,14 +233,28 @@ bool Mover::moveTo(const Vec3& shift) {
     return true;
 }
 
+/// Takes the first one that the pose is in and that has no part in the shift yet into it. False if there is none.
+bool Mover::activateNext() {
+    for (std::size_t i = 0; i < phase_.clear_of.size(); ++i) {
+        const KeptClear& kept = phase_.clear_of[i];
+        if (t_ <= kept.until && std::find(active_.begin(), active_.end(), i) == active_.end() &&
+            gapTo(kept.surface, shape_, pose_, t_) < -kRounding * shape_.length()) {
+            active_.push_back(i);
+            return true;
+        }
+    }
+    return false;
+}
+
 bool Mover::run() {
     const double length = shape_.length();
-    if (leastGap() >= -kRounding * length) {
+    if (!activateNext()) {
         return true;
     }
     if (!moveTo(Vec3(0.0))) {
         return false;
     }
+    // One after the other, so that one that does not bind where the others have put the body changes nothing.
     for (int round = 0; round < kMostRounds; ++round) {
         const auto next = nextShift();
         if (!next) {
@@ -251,6 +266,9 @@ bool Mover::run() {
         }
         if (!moveTo(*next)) {
             return false;
+        }
+        if (same && activateNext()) {
+            round = 0;
         }
     }
     return leastGap() >= -kGoodEnough * length;

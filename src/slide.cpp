@@ -25,6 +25,8 @@ constexpr double kTurned = 0.17632698070846498;
 /// Friction on a slope that cannot hold the body is at most this share of what pulls it down; where it can, the other
 /// way round.
 constexpr double kMostOfPull = 0.8;
+/// Sines up to this are rounding.
+constexpr double kStraight = 1e-9;
 /// A face's vertices lie this near to its plane, as a share of the solid.
 constexpr double kFlatness = 1e-9;
 
@@ -77,7 +79,11 @@ Vec3 accelerationOf(const Touching& touching, const Style& style, const Vec3& no
     // A surface that can hold the body stops it, one that cannot does not, whatever the friction.
     const double drag = style.friction * press;
     const double needed = glm::length(pull);
-    return pull - direction * (can_hold ? std::max(drag, needed / kMostOfPull) : std::min(drag, kMostOfPull * needed));
+    const Vec3 total =
+        pull - direction * (can_hold ? std::max(drag, needed / kMostOfPull) : std::min(drag, kMostOfPull * needed));
+    // What is across by rounding alone would turn the way where it ends.
+    const double along = glm::dot(total, direction);
+    return glm::length(total - direction * along) > kStraight * glm::length(total) ? total : direction * along;
 }
 
 /// How long the slide keeps its way: until it stops along it, or turns from it.
@@ -87,7 +93,7 @@ double timeOnWay(const Slide& slide) {
     const double across = glm::length(slide.acceleration - slide.direction * along);
     double time = along < 0.0 ? speed / -along : kNever;
     const double turning = across - kTurned * along;
-    if (across > 1e-12 * glm::length(slide.acceleration) && turning > 0.0) {
+    if (across > kStraight * glm::length(slide.acceleration) && turning > 0.0) {
         time = std::min(time, kTurned * speed / turning);
     }
     return time;
@@ -175,6 +181,11 @@ std::optional<SlideBegun> beginSlide(const Touching& touching, const Shape& shap
     const double speed = glm::length(tangential);
     const double rest_speed = restSpeed(style, shape.length(), gravity);
     const bool can_hold = canHold(surface, t, touching.gravity, style);
+    std::vector<Vec3> touched = touching.besides;
+    touched.push_back(normal);
+    if (!can_hold && holdTogether(touched, touching.gravity, style)) {
+        return std::nullopt;
+    }
     const bool slow = style.restitution * std::max(0.0, -parting) < rest_speed &&
                       parting <= (can_hold ? rest_speed : 1e-9 * (1.0 + rest_speed));
     if (!slow || (can_hold ? speed <= rest_speed : -glm::dot(normal, touching.gravity) < kSteepest * gravity)) {
@@ -226,7 +237,8 @@ Pose slidePose(const Slide& slide, const Shape& shape, double t, double factor) 
     Pose pose;
     pose.stretch = slideStretch(slide, speed);
     pose.orientation = slide.orientation;
-    if (speed > 0.0 && glm::dot(velocity, slide.direction) > 0.5 * speed) {
+    const bool turns = glm::length(glm::cross(slide.direction, velocity)) > kStraight * glm::length(slide.velocity);
+    if (turns && glm::dot(velocity, slide.direction) > 0.5 * speed) {
         pose.orientation = rotationBetween(slide.direction, velocity / speed) * pose.orientation;
     }
     applyEase(slide.ease, elapsed, pose);

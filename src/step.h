@@ -4,6 +4,7 @@
 #include "closest.h"
 #include "elastoon/world.h"
 #include "flight.h"
+#include "impact.h"
 #include "obstacle_tree.h"
 #include "path.h"
 #include "watch.h"
@@ -166,7 +167,10 @@ private:
     [[nodiscard]] Vec3 velocity() const { return velocityAt(body_.phase, *body_.shape, t_); }
     void note(EventType type, ObstacleId other, const Surface& surface, double speed, const ImpactCurve& curve);
     bool beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, std::vector<KeptClear> waiting);
-    bool beginSlideOn(const Met& met, const Pose& pose, const Vec3& velocity, bool goes_on);
+    [[nodiscard]] Touching touchingOf(const Met& met, const Pose& pose, const Vec3& velocity,
+                                      std::span<const KeptClear> waiting) const;
+    bool beginSlideOn(const Met& met, const Pose& pose, const Vec3& velocity, bool goes_on,
+                      std::span<const KeptClear> waiting);
     void blend(Phase& phase) const;
     bool meetNextWaiting(const Impact& impact);
     void restOn(const Impact& impact, const std::vector<KeptClear>& pressing);

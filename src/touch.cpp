@@ -22,7 +22,7 @@ namespace {
 constexpr double kFinishGap = 1e-5;
 /// Penetrations up to this share of the length are rounding.
 constexpr double kRounding = 1e-6;
-constexpr int kMostAdvances = 100000;
+constexpr int kMostAdvances = 10000;
 
 /// One flight against one plane.
 struct Approach {
@@ -131,6 +131,23 @@ double finish(const Approach& approach, double inside, double gap_inside, double
     return inside;
 }
 
+/// By looking often: for when the bounds on the rates are too wide to get on with.
+std::optional<double> firstSeen(const Approach& approach, double from, double to) {
+    constexpr int kLooks = 256;
+    double apart = from;
+    double gap_apart = approach.gap(from);
+    for (int i = 1; i <= kLooks; ++i) {
+        const double t = from + (to - from) * i / kLooks;
+        const double gap = approach.gap(t);
+        if (gap < 0.0) {
+            return finish(approach, apart, gap_apart, t, gap);
+        }
+        apart = t;
+        gap_apart = gap;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 bool clearlyMisses(const Phase& flight, const Shape& shape, const Surface& surface, double from, double to) {
@@ -173,7 +190,7 @@ std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const 
         }
         t = next > t ? next : std::nextafter(t, to);
     }
-    return approach.gap(t) <= kFinishGap * shape.length() ? std::optional(t) : std::nullopt;
+    return firstSeen(approach, t, to);
 }
 
 namespace {

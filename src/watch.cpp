@@ -81,15 +81,14 @@ HeldBounds slideBounds(const Slide& slide, const Shape& shape, double from, doub
     const double speed = std::max(first, last);
     const Vec3 across = slide.acceleration - slide.direction * glm::dot(slide.acceleration, slide.direction);
     const double turning =
-        glm::length(across) > 1e-12 * pull ? glm::length(across) / (0.9 * std::min(first, last)) : 0.0;
+        glm::length(across) > 1e-9 * pull ? glm::length(across) / (0.9 * std::min(first, last)) : 0.0;
     const bool eases = from - slide.begun < slide.ease.span;
     const double longest = std::max(slideStretch(slide, speed), eases ? slide.ease.stretch : 1.0);
     const double flattest = eases ? std::min(1.0, slide.ease.stretch) : 1.0;
     const double along = longest * shape.reachAlong();
     const double wide = shape.reachAcross() / std::sqrt(flattest);
     const double easing = eases ? 1.5 / slide.ease.span : 0.0;
-    const double stretching =
-        slide.stretch_rate * (slide.max_stretch - 1.0) * pull + easing * (longest - flattest);
+    const double stretching = slide.stretch_rate * (slide.max_stretch - 1.0) * pull + easing * (longest - flattest);
     HeldBounds bounds;
     bounds.reach = std::sqrt(along * along + wide * wide);
     const double widening = 0.5 * wide / flattest;
@@ -177,6 +176,21 @@ Touch stepBack(const Phase& phase, const Shape& shape, const Watched& watched, d
     }
 }
 
+/// By looking often: for when the bounds on the speed are too wide to get on with.
+std::optional<Touch> firstSeen(const Phase& phase, const Shape& shape, const Watched& watched, double from, double to,
+                               double gap) {
+    ClosestSeed seed;
+    double apart = from;
+    for (int i = 1; i <= static_cast<int>(kLeastLooks); ++i) {
+        const double t = from + (to - from) * i / kLeastLooks;
+        if (distanceTo(watched, shape, poseAt(phase, shape, t), t, seed).gap <= gap) {
+            return stepBack(phase, shape, watched, apart, t, gap);
+        }
+        apart = t;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<Touch> firstNear(const Phase& phase, const Shape& shape, const Watched& watched, double from, double to,
@@ -210,7 +224,7 @@ std::optional<Touch> firstNear(const Phase& phase, const Shape& shape, const Wat
         apart = t;
         t += step;
     }
-    return Touch{t, distanceTo(watched, shape, poseAt(phase, shape, t), t, seed).plane};
+    return firstSeen(phase, shape, watched, t, to, gap);
 }
 
 } // namespace elastoon

@@ -409,8 +409,8 @@ void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& fram
         surface.frame = frame;
         if (rest != nullptr) {
             const double end = holdsUntil(surface, time, around.gravity, body.style);
-            phase.end = end >= time || phase.clear_of.empty() ? std::max(end, time)
-                                                              : std::numeric_limits<double>::infinity();
+            phase.end =
+                end >= time || phase.clear_of.empty() ? std::max(end, time) : std::numeric_limits<double>::infinity();
         }
     }
     // What drops away leaves the body with the velocity that it had.

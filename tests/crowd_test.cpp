@@ -29,22 +29,22 @@ struct Thing {
 struct Tally {
     long steps = 0, phases = 0, impacts = 0, rests = 0, squeezes = 0, changes = 0;
     long near = 0, certified = 0; ///< pairs in reach; of those, parted by a plane
-    double depth = 0.0, jump = 0.0, over_stretched = 0.0, gained = 0.0;
+    double depth = 0.0, jump = 0.0, over_stretched = 0.0, gained = 0.0, lifted = 0.0;
     std::string where;
 };
 
 std::vector<ShapePtr> castOfBodies() {
-    return {valueOf(Shape::box({0.3, 1.0, 0.5})),   valueOf(Shape::cylinder(0.4, 0.8, 16)),
+    return {valueOf(Shape::box({0.3, 1.0, 0.5})),  valueOf(Shape::cylinder(0.4, 0.8, 16)),
             valueOf(Shape::cylinder(0.2, 1.2, 8)), valueOf(Shape::cone(0.5, 1.0, 12)),
-            valueOf(Shape::sphere(0.4, 2)),         valueOf(Shape::sphere(0.5, 4)),
-            valueOf(Shape::box({0.8, 0.05, 0.8})),  valueOf(Shape::box({1.2, 0.04, 0.04})),
-            valueOf(Shape::capsule(0.2, 1.1, 8)),   valueOf(Shape::box({0.6, 0.6, 0.6}))};
+            valueOf(Shape::sphere(0.4, 2)),        valueOf(Shape::sphere(0.5, 4)),
+            valueOf(Shape::box({0.8, 0.05, 0.8})), valueOf(Shape::box({1.2, 0.04, 0.04})),
+            valueOf(Shape::capsule(0.2, 1.1, 8)),  valueOf(Shape::box({0.6, 0.6, 0.6}))};
 }
 
 std::vector<ShapePtr> castOfSolids() {
-    return {valueOf(Shape::box({3.0, 1.0, 3.0})), valueOf(Shape::box({0.1, 2.0, 3.0})),
-            valueOf(Shape::cylinder(0.6, 2.5, 12)), valueOf(Shape::cone(1.2, 1.5, 12)), valueOf(Shape::sphere(1.1, 2)),
-            valueOf(Shape::box({3.0, 0.2, 0.2}))};
+    return {valueOf(Shape::box({3.0, 1.0, 3.0})),   valueOf(Shape::box({0.1, 2.0, 3.0})),
+            valueOf(Shape::cylinder(0.6, 2.5, 12)), valueOf(Shape::cone(1.2, 1.5, 12)),
+            valueOf(Shape::sphere(1.1, 2)),         valueOf(Shape::box({3.0, 0.2, 0.2}))};
 }
 
 Style anyStyle(Random& random) {
@@ -79,6 +79,7 @@ private:
     void lookAtPhases();
     void lookAtPose(BodyId body, const Pose& pose, double t);
     void lookAtPair(const Shape& shape, const Pose& pose, const Thing& thing, double t);
+    [[nodiscard]] double heightOf(const Flight& flight) const;
     void lookAtEnergy(BodyId body, const Phase& before, const Phase& after);
     void note(double Tally::* worst, double value, BodyId body, const Phase& phase, double t);
 
@@ -94,6 +95,7 @@ private:
     std::vector<BodyId> bodies_;
     std::map<std::uint32_t, Phase> last_; ///< by slot
     std::map<std::uint32_t, double> squeezed_; ///< when, by slot
+    std::map<std::uint32_t, double> heights_;  ///< of the last flight, by slot
     std::uint32_t touched_by_user_ = 0;
     BodyId looked_at_;
 };
@@ -198,9 +200,9 @@ bool Crowd::isClear(const Vec3& center, double ball) const {
                                : glm::dot(center - thing.def.position, thing.def.normal) > ball;
     });
     return clear_of_things && std::all_of(bodies_.begin(), bodies_.end(), [&](BodyId body) {
-        const double reach = world_.shape(body)->boundingRadius() * world_.style(body).max_stretch * 1.5;
-        return glm::length(world_.pose(body).position - center) > ball + reach;
-    });
+               const double reach = world_.shape(body)->boundingRadius() * world_.style(body).max_stretch * 1.5;
+               return glm::length(world_.pose(body).position - center) > ball + reach;
+           });
 }
 
 void Crowd::change() {
@@ -251,7 +253,11 @@ void Crowd::note(double Tally::* worst, double value, BodyId body, const Phase& 
         char text[200];
         std::snprintf(text, sizeof text, "room %d at %g fps, body %u, %s, t %.9f", index_, fps_, body.slot,
                       std::string(nameOf(phase)).c_str(), t);
-        if (worst == &Tally::depth ? value > kMostDepth : worst == &Tally::jump ? value > kMostJump : value > 1e-6) {
+        const double most = worst == &Tally::depth    ? kMostDepth
+                            : worst == &Tally::jump   ? kMostJump
+                            : worst == &Tally::lifted ? 1.0
+                                                      : 1e-6;
+        if (value > most) {
             tally_.where += std::string("\n") + text + ": " + std::to_string(value);
         }
     }
@@ -309,10 +315,24 @@ void Crowd::lookAtPose(BodyId body, const Pose& pose, double t) {
     }
 }
 
-/// An impact of a standing room speeds nothing up, apart from the push off what cannot hold.
+/// How high the centroid would come if the flight went straight up, m.
+double Crowd::heightOf(const Flight& flight) const {
+    const double pull = glm::length(world_.gravity());
+    return (0.5 * glm::dot(flight.velocity, flight.velocity) - glm::dot(world_.gravity(), flight.position)) / pull;
+}
+
+/// An impact of a standing room speeds nothing up, apart from the push off what cannot hold; and no flight can come
+/// higher than the one before by more than the stretched body's size, by which a turn may lift it.
 void Crowd::lookAtEnergy(BodyId body, const Phase& before, const Phase& after) {
     const auto* impact = std::get_if<Impact>(&before.motion);
     const auto* flight = std::get_if<Flight>(&after.motion);
+    if (standing_ && flight != nullptr) {
+        const double height = heightOf(*flight);
+        const double size = 2.0 * world_.shape(body)->boundingRadius() * world_.style(body).max_stretch;
+        const auto [last, first] = heights_.try_emplace(body.slot, height);
+        note(&Tally::lifted, (height - last->second) / size, body, after, after.start);
+        last->second = height;
+    }
     if (!standing_ || impact == nullptr || flight == nullptr) {
         return;
     }
@@ -392,15 +412,16 @@ TEST(Crowd, RoomsThatChangeHoldTheirBounds) {
     EXPECT_LE(tally.jump, kMostJump) << tally.where;
     EXPECT_LE(tally.over_stretched, 1e-9) << tally.where;
     EXPECT_LE(tally.gained, 1e-9) << tally.where;
+    EXPECT_LE(tally.lifted, 1.0) << tally.where;
     EXPECT_GT(tally.impacts, 20 * rooms);
     EXPECT_GT(tally.rests, 0);
     EXPECT_GT(tally.changes, rooms);
     EXPECT_GT(tally.certified, 9 * tally.near / 10) << "the slow oracle is for the rest";
     if (soak() > 1) {
         std::printf("crowd: %ld body-steps, %ld phases, %ld impacts, %ld rests, %ld squeezes, %ld changes; deepest "
-                    "%.2g L, jump %.2g, beyond the stretches %.2g, speed gained %.2g m/s\n",
+                    "%.2g L, jump %.2g, beyond the stretches %.2g, speed gained %.2g m/s, lifted %.2g sizes\n",
                     tally.steps, tally.phases, tally.impacts, tally.rests, tally.squeezes, tally.changes, tally.depth,
-                    tally.jump, tally.over_stretched, tally.gained);
+                    tally.jump, tally.over_stretched, tally.gained, tally.lifted);
     }
 }
 
