@@ -22,6 +22,14 @@ shrink() {
 "$program" figures -o "$images" --no-video --plots --samples 64
 rm -f "$images"/figure-1-*.png "$images"/figure-4-*.pdf "$images"/figure-4-*.png
 
+contacts=scenes/contacts
+"$program" render $contacts/corner.json --sheet 6x4 --fps 24 --frames 7:31 -o "$images/corner.png" --size 1280x560 \
+  --samples 64
+"$program" render $contacts/press.json --sheet 6x5 --fps 24 --frames 50:110 -o "$images/press.png" --size 1280x640 \
+  --samples 64
+"$program" render $contacts/skip.json --strobe -o "$images/skip.png" --size 960x360 --samples 64
+"$program" render $contacts/slide.json --strobe -o "$images/slide.png" --size 960x420 --samples 64
+
 for file in scenes/styles/*.json; do
   name=$(basename "$file" .json)
   "$program" render scenes/styles-stage.json --style "$name" --strobe -o "$images/style-$name.png" --size 640x240 \
@@ -32,4 +40,4 @@ done
 "$program" render scenes/contacts/rest.json --sheet 6x5 --fps 24 --frames 8:38 -o "$images/rest.png" --size 1280x560 --samples 64
 "$program" render scenes/stairs.json --strobe -o "$images/stairs.png" --size 960x540
 "$program" render scenes/pachinko.json --strobe -o "$images/pachinko.png" --size 960x540 --samples 16
-shrink "$images"/{style-*,figure-[567]-*,rest,stairs,pachinko}.png
+shrink "$images"/{style-*,figure-[567]-*,corner,press,skip,slide,rest,stairs,pachinko}.png

@@ -160,6 +160,19 @@ Vec3 wayAlong(const Impact& impact, const Shape& shape) {
     return way - impact.surface.normal * glm::dot(way, impact.surface.normal);
 }
 
+/// A skip takes no more than a moment where nothing comes of it: the share, kLeastBrush..1, of its time.
+constexpr double kLeastBrush = 0.01;
+double brushing(const Impact& impact, const Meeting& meeting, const Style& style) {
+    constexpr double kFullTurn = 0.2;
+    constexpr double kFullChange = 0.05;
+    const double speed = glm::length(meeting.relative_velocity);
+    const double full = detSinCos(0.25 * style.grazing_angle).sin * speed;
+    const double by_speed = full > 0.0 ? -meeting.normal_speed / full : 1.0;
+    const double by_form =
+        std::max(impact.turn_angle / kFullTurn, std::fabs(impact.curve.s_out - impact.curve.s_in) / kFullChange);
+    return std::clamp(std::max(by_speed, by_form), kLeastBrush, 1.0);
+}
+
 /// Curve and turn. Below the grazing angle the body skips, so that it leaves where, when and as a touch above that
 /// angle does in the limit: docs/contacts.md.
 void planImpact(Impact& impact, const Touching& touching, const Meeting& meeting, const Shape& shape,
@@ -173,6 +186,7 @@ void planImpact(Impact& impact, const Touching& touching, const Meeting& meeting
                 input.speed_in = std::max(0.0, -meeting.normal_speed);
                 input.speed_out = glm::dot(impact.velocity_out, impact.surface.normal);
                 impact.curve = withTimesOf(skipCurve(style, input), impact.curve, sticks);
+                impact.curve = inTimes(impact.curve, brushing(impact, meeting, style));
             }
             // What a groove holds stays as it lies: upright on one side it would leave the other.
             if (!(impact.comes_to_rest && meeting.wedged)) {
@@ -252,6 +266,9 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
     impact.velocity_out =
         glm::conjugate(world_from_frame) * relativeVelocityOut(meeting, style.restitution, impact.comes_to_rest);
     planImpact(impact, touching, meeting, shape, style);
+    if (impact.skims != Vec3(0.0) && brushing(impact, meeting, style) <= kLeastBrush) {
+        return std::nullopt;
+    }
     if (impact.comes_to_rest && impact.surface.solid) {
         if (const Vec3 off = overhang(impact, shape); off != Vec3(0.0)) {
             // Beyond the edge nothing bears it: it tips off.

@@ -30,8 +30,8 @@ struct Touching {
 /// -infinity where it does not hold it at t.
 [[nodiscard]] double holdsUntil(const Surface& surface, double t, const Vec3& gravity, const Style& style);
 
-/// The impact that the touch begins, or none where the body is parting from the surface and not slow: then it flies on,
-/// pushed clear.
+/// The impact that the touch begins, or none where the body is parting from the surface and not slow, or only brushes
+/// it: then it flies on, pushed clear, with the speed along the normal reflected.
 [[nodiscard]] std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, const Style& style);
 
 /// A surface that is touched besides: its normal and what it does at the contact, in the primary surface's frame.

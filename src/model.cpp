@@ -106,6 +106,15 @@ ImpactCurve skipCurve(const Style& style, const ImpactInput& input) {
     return curve;
 }
 
+ImpactCurve inTimes(const ImpactCurve& curve, double factor) {
+    ImpactCurve changed = curve;
+    changed.t_in *= factor;
+    changed.t_out *= factor;
+    changed.omega_in /= factor;
+    changed.omega_out /= factor;
+    return changed;
+}
+
 ImpactCurve withTimesOf(const ImpactCurve& curve, const ImpactCurve& other, double share) {
     ImpactCurve mixed = curve;
     mixed.t_in += share * (other.t_in - curve.t_in);

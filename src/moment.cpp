@@ -251,7 +251,12 @@ void Moment::touch(const Met& met) {
             lefts.push_back({kept.surface, kept.obstacle});
         }
     }
-    fly(pose, velocity, Lead::Nearest, lefts, settlingTime(body_.style, body_.shape->length()));
+    // What it brushes it leaves, without a phase.
+    const Vec3 normal = met.surface.normalAt(t_);
+    const Vec3 carried = met.surface.frame.velocityAt(t_, met.surface.pointAt(t_));
+    const double parting = glm::dot(velocity - carried, normal);
+    const Vec3 away = velocity - normal * ((1.0 + body_.style.restitution) * std::min(0.0, parting));
+    fly(pose, away, Lead::Nearest, lefts, settlingTime(body_.style, body_.shape->length()));
 }
 
 void Moment::queue(const Met& met) {

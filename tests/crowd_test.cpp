@@ -308,6 +308,11 @@ void Crowd::lookAtPose(BodyId body, const Pose& pose, double t) {
         lookAtPair(*world_.shape(body), pose, thing, t);
     }
     const Style& style = world_.style(body);
+    for (const KeptClear& kept : world_.phase(body).clear_of) {
+        if (kept.presses) {
+            squeezed_[body.slot] = t;
+        }
+    }
     const auto squeezed = squeezed_.find(body.slot);
     if (squeezed == squeezed_.end() || t > squeezed->second + 3.0) {
         const double over = std::max(pose.stretch / style.max_stretch, style.min_squash / pose.stretch) - 1.0;

@@ -46,6 +46,8 @@ struct ImpactCurve {
 /// The curve of a touch that skips along the surface: pressed flat it lengthens along it, by the share of the extra
 /// stretch that its normal speed gives. Speeds in `input` are along the normal.
 [[nodiscard]] ImpactCurve skipCurve(const Style& style, const ImpactInput& input);
+/// The same in `factor` (> 0) times the time.
+[[nodiscard]] ImpactCurve inTimes(const ImpactCurve& curve, double factor);
 /// The curve with the other's durations mixed in: `share` 0 leaves them, 1 takes the other's.
 [[nodiscard]] ImpactCurve withTimesOf(const ImpactCurve& curve, const ImpactCurve& other, double share);
 /// The curve with another end.
