@@ -1,0 +1,255 @@
+// What users may change in a world between steps, and what becomes of the bodies. See world.h, docs/contacts.md.
+#include "check_input.h"
+#include "impact.h"
+#include "push.h"
+#include "rotation.h"
+#include "world_impl.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace elastoon {
+
+/// The obstacle is gone: what it held flies on, and nothing is kept clear of it.
+void World::Impl::letGo(BodyId id, ObstacleId obstacle) {
+    BodySlot& body = *find(id);
+    const bool held = body.phase.obstacle == obstacle && !std::holds_alternative<Flight>(body.phase.motion);
+    const auto isOfIt = [&](const KeptClear& kept) { return kept.obstacle == obstacle; };
+    const bool near = std::any_of(body.phase.clear_of.begin(), body.phase.clear_of.end(), isOfIt);
+    if (held) {
+        std::vector<Left> lefts = now(id).held();
+        std::erase_if(lefts, [&](const Left& left) { return left.obstacle == obstacle; });
+        now(id).wake(lefts);
+    } else if (near && std::holds_alternative<Rest>(body.phase.motion)) {
+        now(id).recover();
+    } else if (near) {
+        // The push goes on as it was, or the body would jump; but it may meet the obstacle elsewhere.
+        Phase phase = body.phase;
+        for (KeptClear& kept : phase.clear_of) {
+            kept.obstacle = isOfIt(kept) ? ObstacleId{} : kept.obstacle;
+        }
+        if (std::holds_alternative<Flight>(phase.motion)) {
+            body.phase = phase;
+            now(id).flyOn();
+        } else {
+            phase.start = time;
+            now(id).begin(phase);
+        }
+    }
+}
+
+/// The body flies on from its present pose; the stretch and axis become those of the velocity: at once if there is
+/// room, else by and by.
+void World::Impl::fly(BodyId id, const Vec3& velocity, const std::vector<Left>& lefts) {
+    const BodySlot& body = *find(id);
+    const Pose pose = poseAt(body.phase, *body.shape, time);
+    now(id).fly(pose, velocity, Lead::Nearest, lefts);
+    if (overlap(*body.shape, poseAt(body.phase, *body.shape, time))) {
+        pending.phases.pop_back();
+        now(id).fly(pose, velocity, Lead::Nearest, lefts, settlingTime(body.style, body.shape->length()));
+    }
+}
+
+Status World::setPosition(BodyId id, const Vec3& position) {
+    BodySlot* body = impl_->find(id);
+    if (body == nullptr) {
+        return kUnknownBody;
+    }
+    if (auto error = checkVector(position, kMostPosition, "position")) {
+        return *error;
+    }
+    const Vec3 velocity = velocityAt(body->phase, *body->shape, impl_->time);
+    Pose pose = poseAt(body->phase, *body->shape, impl_->time);
+    pose.position = position;
+    const Flight flight = beginFlight(pose, velocity, impl_->around.gravity, body->style, Lead::Nearest);
+    if (const auto overlap = impl_->overlap(*body->shape, unpushedPose(flight, 0.0))) {
+        return overlapError(*overlap);
+    }
+    impl_->now(id).fly(pose, velocity, Lead::Nearest);
+    return success();
+}
+
+Status World::setVelocity(BodyId id, const Vec3& velocity) {
+    if (!contains(id)) {
+        return kUnknownBody;
+    }
+    if (auto error = checkVector(velocity, kMostSpeed, "velocity")) {
+        return *error;
+    }
+    impl_->fly(id, velocity, impl_->now(id).held());
+    return success();
+}
+
+Status World::setStyle(BodyId id, const Style& style) {
+    BodySlot* body = impl_->find(id);
+    if (body == nullptr) {
+        return kUnknownBody;
+    }
+    if (auto error = checkStyle(style)) {
+        return *error;
+    }
+    body->style = style;
+    if (std::holds_alternative<Flight>(body->phase.motion)) {
+        impl_->fly(id, velocityAt(body->phase, *body->shape, impl_->time), impl_->now(id).held());
+    }
+    return success();
+}
+
+Status World::setGravity(const Vec3& gravity) {
+    if (auto error = checkVector(gravity, kMostGravity, "gravity")) {
+        return *error;
+    }
+    impl_->around.gravity = gravity;
+    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+        const BodySlot& body = impl_->bodies[i];
+        if (!body.used) {
+            continue;
+        }
+        const auto* rest = std::get_if<Rest>(&body.phase.motion);
+        if (std::holds_alternative<Flight>(body.phase.motion) || std::holds_alternative<Slide>(body.phase.motion) ||
+            (rest != nullptr && !canHold(rest->surface, impl_->time, gravity, body.style))) {
+            impl_->now(idOfBody(i, body)).wake();
+        }
+    }
+    return success();
+}
+
+/// The obstacle goes on otherwise: so does what is on it.
+void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& frame) {
+    BodySlot& body = *find(id);
+    Phase phase = body.phase;
+    bool concerns = false;
+    for (KeptClear& kept : phase.clear_of) {
+        if (kept.obstacle == obstacle) {
+            kept.surface.frame = frame;
+            concerns = true;
+        }
+    }
+    const bool flies = std::holds_alternative<Flight>(phase.motion);
+    if (!concerns && (flies || phase.obstacle != obstacle)) {
+        return;
+    }
+    if (std::holds_alternative<Slide>(phase.motion)) {
+        now(id).wake();
+        return;
+    }
+    phase.start = time;
+    if (flies) {
+        body.phase.clear_of = phase.clear_of;
+        now(id).flyOn();
+        return;
+    }
+    bool drops = false;
+    if (phase.obstacle == obstacle) {
+        auto* rest = std::get_if<Rest>(&phase.motion);
+        Surface& surface = rest != nullptr ? rest->surface : std::get<Impact>(phase.motion).surface;
+        if (rest != nullptr) {
+            const Vec3 point = surface.pointAt(time);
+            const Vec3 change = frame.velocityAt(time, point) - surface.frame.velocityAt(time, point);
+            drops = glm::dot(change, surface.normalAt(time)) < 0.0;
+        }
+        surface.frame = frame;
+        if (rest != nullptr) {
+            const double end = holdsUntil(surface, time, around.gravity, body.style);
+            phase.end =
+                end >= time || phase.clear_of.empty() ? std::max(end, time) : std::numeric_limits<double>::infinity();
+        }
+    }
+    // What drops away leaves the body with the velocity that it had.
+    const Vec3 velocity = velocityAt(body.phase, *body.shape, time);
+    now(id).begin(phase);
+    if (drops) {
+        now(id).wake(now(id).held(), velocity);
+    }
+}
+
+Status World::setObstacleMotion(ObstacleId id, const Vec3& velocity, const Vec3& angular_velocity) {
+    ObstacleSlot* obstacle = impl_->find(id);
+    if (obstacle == nullptr) {
+        return kUnknownObstacle;
+    }
+    if (auto error = checkVector(velocity, kMostSpeed, "velocity")) {
+        return *error;
+    }
+    if (auto error = checkVector(angular_velocity, kMostSpin, "angular_velocity")) {
+        return *error;
+    }
+    const double t = impl_->time;
+    obstacle->path.keys.clear();
+    impl_->setFrame(id.slot - 1,
+                    {t, obstacle->frame.originAt(t), obstacle->frame.orientationAt(t), velocity, angular_velocity});
+    return success();
+}
+
+/// The obstacle goes on from where it is otherwise; what is on it goes along.
+void World::Impl::setFrame(std::size_t index, const MovingFrame& frame) {
+    ObstacleSlot& obstacle = around.obstacles[index];
+    obstacle.frame = frame;
+    around.include(index, time);
+    const ObstacleId id = idOfObstacle(index, obstacle);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies[i].used) {
+            follow(idOfBody(i, bodies[i]), id, frame);
+        }
+    }
+}
+
+/// A body at rest that the obstacle has come into flies, and is put out by the touch.
+void World::Impl::disturb(std::size_t obstacle) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const BodySlot& body = bodies[i];
+        if (!body.used || !std::holds_alternative<Rest>(body.phase.motion)) {
+            continue;
+        }
+        const auto found = overlapWith(obstacle, *body.shape, poseAt(body.phase, *body.shape, time));
+        if (found && found->depth > 1e-6 * body.shape->length()) {
+            now(idOfBody(i, body)).wake();
+        }
+    }
+}
+
+Status World::setObstaclePose(ObstacleId id, const Vec3& position, const Quat& rotation) {
+    ObstacleSlot* obstacle = impl_->find(id);
+    if (obstacle == nullptr) {
+        return kUnknownObstacle;
+    }
+    if (auto error = checkPlace(position, rotation)) {
+        return *error;
+    }
+    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+        if (impl_->bodies[i].used) {
+            impl_->letGo(idOfBody(i, impl_->bodies[i]), id);
+        }
+    }
+    obstacle->path.keys.clear();
+    obstacle->frame = {impl_->time, position, unitOf(rotation), Vec3(0.0), Vec3(0.0)};
+    impl_->around.include(id.slot - 1, impl_->time);
+    impl_->disturb(id.slot - 1);
+    return success();
+}
+
+Status World::moveObstacle(ObstacleId id, const Vec3& position, const Quat& rotation, double duration) {
+    ObstacleSlot* obstacle = impl_->find(id);
+    if (obstacle == nullptr) {
+        return kUnknownObstacle;
+    }
+    if (auto error = checkPlace(position, rotation)) {
+        return *error;
+    }
+    if (!(duration > 0.0 && duration <= kMostStep)) {
+        return Error{"must be above 0 and at most 1e6 s, is " + shortNumber(duration), "duration"};
+    }
+    const double t = impl_->time;
+    Path path{
+        t, obstacle->frame.originAt(t), obstacle->frame.orientationAt(t), {{duration, position, rotation}}, false};
+    const MovingFrame frame = frameAt(path, t);
+    if (auto error = checkVector(frame.velocity, kMostSpeed, "position")) {
+        return Error{"is too far for so short a time: that would take " + shortNumber(glm::length(frame.velocity)) +
+                         " m/s, and the most is " + shortNumber(kMostSpeed),
+                     "position"};
+    }
+    obstacle->path = std::move(path);
+    impl_->setFrame(id.slot - 1, frame);
+    return success();
+}
+} // namespace elastoon

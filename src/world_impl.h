@@ -1,0 +1,66 @@
+// What a world holds: shared by what makes it, changes it, steps it and saves it.
+#pragma once
+
+#include "elastoon/assert.h"
+#include "elastoon/world.h"
+#include "step.h"
+
+#include <optional>
+#include <vector>
+
+namespace elastoon {
+
+struct World::Impl {
+    Surroundings around;
+    ParallelFor parallel_for;
+    double time = 0.0;
+    std::vector<BodySlot> bodies;
+    std::vector<std::uint32_t> free_bodies, free_obstacles;
+    std::vector<Event> events;
+    std::vector<PhaseBegun> phases;
+    /// Left by user changes since the last step; the next step takes them in.
+    Happenings pending;
+
+    BodySlot* find(BodyId id) {
+        const bool known = id.slot != 0 && id.slot <= bodies.size();
+        BodySlot* slot = known ? &bodies[id.slot - 1] : nullptr;
+        return slot != nullptr && slot->used && slot->generation == id.generation ? slot : nullptr;
+    }
+    ObstacleSlot* find(ObstacleId id) {
+        const bool known = id.slot != 0 && id.slot <= around.obstacles.size();
+        ObstacleSlot* slot = known ? &around.obstacles[id.slot - 1] : nullptr;
+        return slot != nullptr && slot->used && slot->generation == id.generation ? slot : nullptr;
+    }
+    const BodySlot& known(BodyId id) {
+        const BodySlot* slot = find(id);
+        ELASTOON_ASSERT(slot != nullptr, "the id names no body of this world");
+        return *slot;
+    }
+    const ObstacleSlot& known(ObstacleId id) {
+        const ObstacleSlot* slot = find(id);
+        ELASTOON_ASSERT(slot != nullptr, "the id names no obstacle of this world");
+        return *slot;
+    }
+    [[nodiscard]] std::optional<Overlap> overlapWith(std::size_t index, const Shape& shape, const Pose& pose) const;
+    /// The deepest place where this pose penetrates an obstacle by more than 1e-6 of the length.
+    [[nodiscard]] std::optional<Overlap> overlap(const Shape& shape, const Pose& pose) const;
+    [[nodiscard]] Moment now(BodyId id) { return {around, *find(id), id, time, pending}; }
+    void fly(BodyId id, const Vec3& velocity, const std::vector<Left>& lefts);
+    void follow(BodyId id, ObstacleId obstacle, const MovingFrame& frame);
+    void letGo(BodyId id, ObstacleId obstacle);
+    void disturb(std::size_t obstacle);
+    void setFrame(std::size_t obstacle, const MovingFrame& frame);
+    [[nodiscard]] double nextPathChange(double to) const;
+    void followPaths();
+    void takePending();
+    void advanceBodies(double to);
+    void advance(double to);
+};
+
+inline const Error kUnknownBody{"the id names no body of this world (was it removed?)", "id"};
+inline const Error kUnknownObstacle{"the id names no obstacle of this world (was it removed?)", "id"};
+
+/// How a body starts inside an obstacle, and what to do about it.
+[[nodiscard]] Error overlapError(const Overlap& overlap);
+
+} // namespace elastoon
