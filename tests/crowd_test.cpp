@@ -255,7 +255,7 @@ void Crowd::note(double Tally::* worst, double value, BodyId body, const Phase& 
                       std::string(nameOf(phase)).c_str(), t);
         const double most = worst == &Tally::depth    ? kMostDepth
                             : worst == &Tally::jump   ? kMostJump
-                            : worst == &Tally::lifted ? 1.0
+                            : worst == &Tally::lifted ? 2.0
                                                       : 1e-6;
         if (value > most) {
             tally_.where += std::string("\n") + text + ": " + std::to_string(value);
@@ -327,7 +327,8 @@ double Crowd::heightOf(const Flight& flight) const {
 }
 
 /// An impact of a standing room speeds nothing up, apart from the push off what cannot hold; and no flight can come
-/// higher than the one before by more than the stretched body's size, by which a turn may lift it.
+/// higher than the one before by more than twice the stretched body's size: a turn may lift it by one, and a corner
+/// pushes it.
 void Crowd::lookAtEnergy(BodyId body, const Phase& before, const Phase& after) {
     const auto* impact = std::get_if<Impact>(&before.motion);
     const auto* flight = std::get_if<Flight>(&after.motion);
@@ -417,7 +418,7 @@ TEST(Crowd, RoomsThatChangeHoldTheirBounds) {
     EXPECT_LE(tally.jump, kMostJump) << tally.where;
     EXPECT_LE(tally.over_stretched, 1e-9) << tally.where;
     EXPECT_LE(tally.gained, 1e-9) << tally.where;
-    EXPECT_LE(tally.lifted, 1.0) << tally.where;
+    EXPECT_LE(tally.lifted, 2.0) << tally.where;
     EXPECT_GT(tally.impacts, 20 * rooms);
     EXPECT_GT(tally.rests, 0);
     EXPECT_GT(tally.changes, rooms);
