@@ -6,6 +6,7 @@
 #include "rotation.h"
 #include "support.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -65,8 +66,36 @@ double gapTo(const Surface& surface, const Shape& shape, const Pose& pose, doubl
     return glm::dot(normal, pose.position - surface.pointAt(t)) - reachTowards(shape, pose, -normal);
 }
 
+std::optional<double> liftOntoFace(const Surface& surface, const Shape& shape, const Pose& pose_in_frame) {
+    constexpr std::size_t kMostFaces = 64;
+    constexpr double kSameNormal = 1e-11;
+    const Shape& solid = *surface.solid;
+    const auto& normals = solid.topology().face_normals;
+    const auto face = std::find_if(normals.begin(), normals.end(), [&](const Vec3& normal) {
+        const Vec3 apart = normal - surface.normal;
+        return glm::dot(apart, apart) < kSameNormal * kSameNormal;
+    });
+    if (normals.size() > kMostFaces || face == normals.end()) {
+        return std::nullopt;
+    }
+    const Vec3 down = scaleOf(pose_in_frame.stretch) * (glm::conjugate(pose_in_frame.orientation) * -surface.normal);
+    const Vec3 lowest = worldFromShape(pose_in_frame, shape.vertices()[supportOf(shape, down)]);
+    const auto loop = solid.face(static_cast<std::size_t>(face - normals.begin()));
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec3& tail = solid.vertices()[loop[i]];
+        const Vec3& head = solid.vertices()[loop[i + 1 < loop.size() ? i + 1 : 0]];
+        if (glm::dot(glm::cross(surface.normal, head - tail), lowest - tail) < 0.0) {
+            return std::nullopt;
+        }
+    }
+    return glm::dot(surface.normal, solid.vertices()[loop[0]] - lowest);
+}
+
 double liftToTouch(const Surface& surface, const Shape& shape, const Pose& pose_in_frame) {
     if (surface.solid) {
+        if (const auto lift = liftOntoFace(surface, shape, pose_in_frame)) {
+            return *lift;
+        }
         const auto lift = separationAlong({&shape, linearOf(pose_in_frame), pose_in_frame.position},
                                           {surface.solid.get(), Mat3(1.0), Vec3(0.0)}, surface.normal);
         if (lift) {

@@ -3,6 +3,8 @@
 
 #include "elastoon/phase.h"
 
+#include <optional>
+
 namespace elastoon {
 
 /// How far the body reaches from its centroid along `direction` (world, unit), m.
@@ -11,6 +13,10 @@ namespace elastoon {
 /// How far the body must be moved along the surface's normal (both in the frame, m) so that it just touches the solid,
 /// or the plane where there is none or the body passes it by. Negative where it is clear.
 [[nodiscard]] double liftToTouch(const Surface& surface, const Shape& shape, const Pose& pose_in_frame);
+
+/// The same where the body comes down within the face that the surface's plane holds, which most do: quick. None
+/// elsewhere.
+[[nodiscard]] std::optional<double> liftOntoFace(const Surface& surface, const Shape& shape, const Pose& pose_in_frame);
 
 /// Distance of the body from the surface's plane at time t; negative where it penetrates. m.
 [[nodiscard]] double gapTo(const Surface& surface, const Shape& shape, const Pose& pose, double t);

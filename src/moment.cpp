@@ -44,7 +44,7 @@ double Moment::leastPartingSpeed(const Surface& surface) const {
 
 void Moment::begin(Phase phase) {
     body_.phase = std::move(phase);
-    body_.untouched_until = -std::numeric_limits<double>::infinity();
+    body_.plan = {.version = around_.version, .met = nullptr};
     out_.phases.push_back({id_, body_.phase});
 }
 

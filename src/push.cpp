@@ -113,6 +113,9 @@ std::optional<Footing> footingOf(const Surface& primary, const Shape& shape, con
     const Quat orientation = primary.frame.orientationAt(t);
     const Pose in_frame{primary.frame.frameFromWorld(t, pose.position), glm::conjugate(orientation) * pose.orientation,
                         pose.stretch};
+    if (const auto lift = liftOntoFace(primary, shape, in_frame)) {
+        return Footing{*lift, Vec3(0.0)};
+    }
     const auto contact = contactAlong({&shape, linearOf(in_frame), in_frame.position},
                                       {primary.solid.get(), Mat3(1.0), Vec3(0.0)}, primary.normal);
     if (!contact) {

@@ -17,8 +17,6 @@ constexpr int kMostEventsPerStep = 4096;
 constexpr int kMostEventsAtOnce = 32;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-/// No version of the surroundings.
-constexpr std::uint64_t kLookedInVain = ~std::uint64_t{0};
 /// At this share of its length from a body at rest an obstacle has come upon it.
 constexpr double kHitGap = 1e-7;
 
@@ -88,24 +86,6 @@ Met earliestNear(const Surroundings& around, const BodySlot& body, double from, 
     return met;
 }
 
-/// Looks well ahead of the step whether the body can touch anything at all, so that the next steps need not.
-void lookAhead(const Surroundings& around, BodySlot& body, double from, double to) {
-    constexpr double kStepsAhead = 32.0;
-    if (around.anyMoves() || !body.phase.clear_of.empty()) {
-        return;
-    }
-    const double until = from + kStepsAhead * (to - from);
-    thread_local std::vector<std::size_t> candidates;
-    around.near(body.phase, *body.shape, from, until, candidates);
-    const bool misses = std::all_of(candidates.begin(), candidates.end(), [&](std::size_t i) {
-        const ObstacleSlot& obstacle = around.obstacles[i];
-        return obstacle.isPlane() && clearlyMisses(body.phase, *body.shape, obstacle.surface(), from, until);
-    });
-    // A failed look is not repeated at every step.
-    body.untouched_until = misses ? until : from + 4.0 * (to - from);
-    body.untouched_in = misses ? around.version : kLookedInVain;
-}
-
 /// When a flight stops being kept clear of a surface while it still needs it: what it has been pushed aside then
 /// becomes its way.
 double leavingEndsPushed(const BodySlot& body) {
@@ -145,54 +125,85 @@ double pressLetsGo(const BodySlot& body, double from, double to) {
     return free;
 }
 
-/// The time of the body's next event within [from, to], done; kNever if there is none.
-double nextEvent(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {
-    const auto at = [&](double t) { return Moment(around, body, id, t, out); };
+/// What comes next within [from, to]; its time is kNever if that is nothing.
+Plan nextEvent(const Surroundings& around, BodySlot& body, double from, double to) {
+    Plan plan;
+    const auto meet = [&](const Met& met) {
+        plan.time = met.time;
+        plan.met = met.time < kNever ? std::make_shared<const Met>(met) : nullptr;
+        return plan.met != nullptr;
+    };
+    const auto otherwise = [&](double time, Plan::Kind kind) {
+        plan.time = time <= to ? time : kNever;
+        plan.kind = kind;
+        return plan;
+    };
     if (std::holds_alternative<Flight>(body.phase.motion)) {
-        if (to <= body.untouched_until && body.untouched_in == around.version) {
-            return kNever;
-        }
         const double pushed_until = leavingEndsPushed(body);
-        const Met met = earliestTouch(around, body, from, std::min(to, pushed_until));
-        if (met.time < kNever) {
-            at(met.time).touch(met);
-            return met.time;
-        }
-        if (pushed_until <= to) {
-            at(pushed_until).flyOn();
-            return pushed_until;
-        }
-        if (to > body.untouched_until) {
-            lookAhead(around, body, from, to);
-        }
-        return kNever;
+        return meet(earliestTouch(around, body, from, std::min(to, pushed_until)))
+                   ? plan
+                   : otherwise(pushed_until, Plan::Kind::FlyOn);
     }
     const double end = body.phase.end;
+    if (meet(earliestNear(around, body, from, std::min(to, end)))) {
+        return plan;
+    }
     if (std::holds_alternative<Slide>(body.phase.motion)) {
-        const Met met = earliestNear(around, body, from, std::min(to, end));
-        if (met.time < kNever) {
-            at(met.time).touchInSlide(met);
-        } else if (end <= to) {
-            at(end).endSlide();
+        return otherwise(end, Plan::Kind::EndSlide);
+    }
+    if (std::holds_alternative<Impact>(body.phase.motion)) {
+        return otherwise(end, Plan::Kind::EndImpact);
+    }
+    const double let_go = pressLetsGo(body, from, std::min(to, end));
+    return let_go < kNever ? otherwise(let_go, Plan::Kind::PressLetGo) : otherwise(end, Plan::Kind::Wake);
+}
+
+/// Looks ahead of the step, so that what comes is looked up once. Where nothing moves or is changed, how far it looks and
+/// from where depends on the phase alone: the step does not show, not even in the last bit.
+void planAhead(const Surroundings& around, BodySlot& body, double from, double to) {
+    constexpr double kAhead = 0.5;
+    const bool same = body.plan.version == around.version;
+    const double begin = same ? std::max(from, body.plan.looked_until) : from;
+    // Boxes of moving solids hold for this step alone, and where all is changed at every step, so does a plan.
+    double ahead = same && around.moving_solids.empty() ? begin + kAhead : to;
+    const auto* rest = std::get_if<Rest>(&body.phase.motion);
+    if (rest != nullptr && !rest->surface.frame.moves() && !around.anyMoves() && body.phase.clear_of.empty()) {
+        ahead = kNever;
+    }
+    body.plan = nextEvent(around, body, begin, ahead);
+    body.plan.looked_until = ahead;
+    body.plan.version = around.version;
+}
+
+void carryOut(const Plan& plan, const BodySlot& body, Moment moment) {
+    switch (plan.kind) {
+    case Plan::Kind::Meet:
+        if (std::holds_alternative<Flight>(body.phase.motion)) {
+            moment.touch(*plan.met);
+        } else if (std::holds_alternative<Slide>(body.phase.motion)) {
+            moment.touchInSlide(*plan.met);
+        } else if (std::holds_alternative<Impact>(body.phase.motion)) {
+            moment.queue(*plan.met);
+        } else {
+            moment.hitAtRest(*plan.met);
         }
-        return met.time < kNever ? met.time : end <= to ? end : kNever;
+        break;
+    case Plan::Kind::FlyOn:
+        moment.flyOn();
+        break;
+    case Plan::Kind::EndSlide:
+        moment.endSlide();
+        break;
+    case Plan::Kind::EndImpact:
+        moment.endImpact();
+        break;
+    case Plan::Kind::PressLetGo:
+        moment.pressLetGo();
+        break;
+    case Plan::Kind::Wake:
+        moment.wake();
+        break;
     }
-    const bool impact = std::holds_alternative<Impact>(body.phase.motion);
-    const Met met = earliestNear(around, body, from, std::min(to, end));
-    if (met.time < kNever) {
-        impact ? at(met.time).queue(met) : at(met.time).hitAtRest(met);
-        return met.time;
-    }
-    const double let_go = impact ? kNever : pressLetsGo(body, from, std::min(to, end));
-    if (let_go < kNever) {
-        at(let_go).pressLetGo();
-        return let_go;
-    }
-    if (end <= to) {
-        impact ? at(end).endImpact() : at(end).wake();
-        return end;
-    }
-    return kNever;
 }
 
 } // namespace
@@ -200,13 +211,20 @@ double nextEvent(const Surroundings& around, BodySlot& body, BodyId id, double f
 void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {
     double t = from;
     int at_once = 0;
-    for (int i = 0; i < kMostEventsPerStep && at_once < kMostEventsAtOnce; ++i) {
-        const double next = nextEvent(around, body, id, t, to, out);
-        if (next == kNever) {
+    int events = 0;
+    while (events < kMostEventsPerStep && at_once < kMostEventsAtOnce) {
+        if (body.plan.version == around.version && body.plan.time > to && to <= body.plan.looked_until) {
             return;
         }
-        at_once = next > t ? 0 : at_once + 1;
-        t = std::max(t, next);
+        if (body.plan.version != around.version || body.plan.time > to) {
+            planAhead(around, body, t, to);
+            continue;
+        }
+        const Plan plan = body.plan;
+        ++events;
+        at_once = plan.time > t ? 0 : at_once + 1;
+        t = std::max(t, plan.time);
+        carryOut(plan, body, Moment(around, body, id, t, out));
     }
     Moment(around, body, id, t, out).settle();
 }

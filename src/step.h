@@ -11,6 +11,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,24 @@ private:
     std::uint64_t uses_ = 0;
 };
 
+/// A touch, and whose surface it is.
+struct Met {
+    double time = std::numeric_limits<double>::infinity();
+    std::size_t obstacle = 0; ///< slot
+    Surface surface;
+};
+
+/// The next event of a body, looked up ahead of the step: it holds as long as the phase goes on and the surroundings are
+/// of that version.
+struct Plan {
+    enum class Kind : std::uint8_t { Meet, FlyOn, EndSlide, EndImpact, PressLetGo, Wake };
+    double looked_until = -std::numeric_limits<double>::infinity(); ///< nothing else happens until then
+    double time = std::numeric_limits<double>::infinity();
+    std::uint64_t version = 0; ///< of the surroundings
+    Kind kind = Kind::Meet;
+    std::shared_ptr<const Met> met; ///< of Meet
+};
+
 struct BodySlot {
     std::uint32_t generation = 0;
     bool used = false;
@@ -51,9 +70,7 @@ struct BodySlot {
     Style style;
     Phase phase;
     PairSeeds seeds;
-    /// Until then this phase touches nothing, as long as the surroundings are of that version: no search is needed.
-    double untouched_until = -std::numeric_limits<double>::infinity();
-    std::uint64_t untouched_in = 0;
+    Plan plan;
     std::uint64_t user_data = 0;
 };
 
@@ -92,13 +109,6 @@ struct Surroundings {
     /// Slots of the obstacles that a body may touch within [from, to]: all planes, and the solids near its
     /// way.
     void near(const Phase& phase, const Shape& shape, double from, double to, std::vector<std::size_t>& found) const;
-};
-
-/// A touch, and whose surface it is.
-struct Met {
-    double time = std::numeric_limits<double>::infinity();
-    std::size_t obstacle = 0; ///< slot
-    Surface surface;
 };
 
 /// What the motion of bodies leaves behind.

@@ -176,6 +176,20 @@ Touch stepBack(const Phase& phase, const Shape& shape, const Watched& watched, d
     }
 }
 
+/// The ball about the contact that an impact on something that stands cannot leave shows it.
+bool staysAway(const Phase& phase, const Watched& watched, double reach, double from, double to, double gap) {
+    const auto* impact = std::get_if<Impact>(&phase.motion);
+    if (impact == nullptr || !phase.clear_of.empty() || impact->surface.frame.moves() || watched.frame.moves()) {
+        return false;
+    }
+    // Twice the reach: from the contact to the centroid, and on. A solid's edge may lift it by as much again.
+    const double ball = (impact->surface.solid ? 4.0 : 2.0) * reach + glm::length(impact->skims) * (to - impact->begun);
+    const Vec3 contact = impact->surface.pointAt(from);
+    const Vec3 apart = contact - watched.frame.originAt(from);
+    return watched.solid ? glm::length(apart) > watched.solid->boundingRadius() + ball + gap
+                         : glm::dot(watched.frame.orientationAt(from) * watched.normal, apart) > ball + gap;
+}
+
 /// By looking often: for when the bounds on the speed are too wide to get on with.
 std::optional<Touch> firstSeen(const Phase& phase, const Shape& shape, const Watched& watched, double from, double to,
                                double gap) {
@@ -197,6 +211,9 @@ std::optional<Touch> firstNear(const Phase& phase, const Shape& shape, const Wat
                                double gap) {
     ClosestSeed seed;
     const HeldBounds bounds = heldBounds(phase, shape, from, to);
+    if (staysAway(phase, watched, bounds.reach, from, to, gap)) {
+        return std::nullopt;
+    }
     const double spin = glm::length(watched.frame.angular_velocity);
     const auto* impact = std::get_if<Impact>(&phase.motion);
     const double most_step = impact != nullptr && impact->surface.solid ? impact->curve.duration() / kLeastLooks
