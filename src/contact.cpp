@@ -68,7 +68,7 @@ double gapTo(const Surface& surface, const Shape& shape, const Pose& pose, doubl
 
 std::optional<double> liftOntoFace(const Surface& surface, const Shape& shape, const Pose& pose_in_frame) {
     constexpr std::size_t kMostFaces = 64;
-    constexpr double kSameNormal = 1e-11;
+    constexpr double kSameNormal = 1e-9;
     const Shape& solid = *surface.solid;
     const auto& normals = solid.topology().face_normals;
     const auto face = std::find_if(normals.begin(), normals.end(), [&](const Vec3& normal) {
@@ -88,7 +88,7 @@ std::optional<double> liftOntoFace(const Surface& surface, const Shape& shape, c
             return std::nullopt;
         }
     }
-    return glm::dot(surface.normal, solid.vertices()[loop[0]] - lowest);
+    return glm::dot(*face, solid.vertices()[loop[0]] - lowest) / glm::dot(*face, surface.normal);
 }
 
 double liftToTouch(const Surface& surface, const Shape& shape, const Pose& pose_in_frame) {

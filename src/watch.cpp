@@ -231,7 +231,7 @@ std::optional<Touch> firstNear(const Phase& phase, const Shape& shape, const Wat
                            (watched.solid ? 0.0 : distance.gap) + (to - t) * bounds.speed;
         const double speed = bounds.speed + glm::length(watched.frame.velocity) + spin * arm;
         const double safe = (distance.gap - 0.5 * gap) / speed;
-        const bool near = distance.gap < 2.0 * bounds.reach;
+        const bool near = distance.gap < bounds.reach;
         const double step = near ? std::min(safe, most_step) : safe;
         if (!(t + step < to)) {
             const Distance last = distanceTo(watched, shape, poseAt(phase, shape, to), to, seed);
