@@ -63,6 +63,7 @@ int runBench(int argc, char** argv) {
     runTouchTable(choice, report);
     runSupportTable(choice, report);
     runHullTable(choice, report);
+    runWorldTable(choice, report);
     if (report.empty()) {
         fmt::print(stderr, "elastoon_bench: no cell's name holds \"{}\"\n", choice.filter);
         return 2;

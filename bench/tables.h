@@ -10,5 +10,6 @@ void runDistanceTables(const Choice& choice, Report& report);
 void runTouchTable(const Choice& choice, Report& report);
 void runSupportTable(const Choice& choice, Report& report);
 void runHullTable(const Choice& choice, Report& report);
+void runWorldTable(const Choice& choice, Report& report);
 
 } // namespace elastoon

@@ -1,0 +1,170 @@
+// Bullet's worlds: rigid bodies of the same hulls among the same obstacles, and soft bodies. Its bodies do not meet
+// each other either, do not rub, keep all of their speed, and never sleep.
+#include "peer_bullet.h"
+#include "worlds.h"
+
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+
+#include <BulletSoftBody/btDefaultSoftBodySolver.h>
+#include <BulletSoftBody/btSoftBodyHelpers.h>
+#include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
+#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
+
+namespace elastoon {
+
+namespace {
+
+constexpr btScalar kStep = btScalar(1.0 / 60.0);
+constexpr int kObstacle = 1;
+constexpr int kBody = 2;
+
+class BulletWorld : public WorldContender {
+public:
+    explicit BulletWorld(const BenchWorld& scene)
+        : dispatcher_(&configuration_), world_(&dispatcher_, &broadphase_, &solver_, &configuration_, &soft_solver_) {
+        world_.setGravity(bulletOf(scene.gravity));
+        world_.getWorldInfo().m_gravity = bulletOf(scene.gravity);
+        world_.getWorldInfo().m_dispatcher = &dispatcher_;
+        world_.getWorldInfo().m_broadphase = &broadphase_;
+        world_.getWorldInfo().m_sparsesdf.Initialize();
+        if (scene.half > 0.0) {
+            addPlane({0, 1, 0}, 0.0, scene);
+            for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+                addPlane(normal, -scene.half, scene);
+            }
+        }
+        for (const ObstacleDef& obstacle : scene.obstacles) {
+            shapes_.push_back(bulletShape(*obstacle.shape));
+            const Pose pose{obstacle.position, glm::normalize(obstacle.rotation), 1.0};
+            addRigid(shapes_.back().get(), 0.0, bulletOf(pose), scene);
+        }
+    }
+    ~BulletWorld() override {
+        for (const auto& body : rigid_) {
+            world_.removeRigidBody(body.get());
+        }
+    }
+    BulletWorld(const BulletWorld&) = delete;
+    BulletWorld& operator=(const BulletWorld&) = delete;
+
+    void step() override { world_.stepSimulation(kStep, 0); }
+
+protected:
+    btRigidBody& addRigid(btCollisionShape* shape, btScalar mass, const btTransform& transform,
+                          const BenchWorld& scene) {
+        btVector3 inertia(0, 0, 0);
+        if (mass > 0) {
+            shape->calculateLocalInertia(mass, inertia);
+        }
+        auto body =
+            std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(mass, nullptr, shape, inertia));
+        body->setWorldTransform(transform);
+        body->setInterpolationWorldTransform(transform);
+        body->setRestitution(mass > 0 ? static_cast<btScalar>(scene.style.restitution) : btScalar(1));
+        body->setFriction(0);
+        body->setActivationState(DISABLE_DEACTIVATION);
+        world_.addRigidBody(body.get(), mass > 0 ? kBody : kObstacle, mass > 0 ? kObstacle : kBody);
+        rigid_.push_back(std::move(body));
+        return *rigid_.back();
+    }
+    void addPlane(const Vec3& normal, double offset, const BenchWorld& scene) {
+        shapes_.push_back(std::make_shared<btStaticPlaneShape>(bulletOf(normal), static_cast<btScalar>(offset)));
+        addRigid(shapes_.back().get(), 0, btTransform::getIdentity(), scene);
+    }
+
+    btSoftBodyRigidBodyCollisionConfiguration configuration_;
+    btCollisionDispatcher dispatcher_;
+    btDbvtBroadphase broadphase_;
+    btSequentialImpulseConstraintSolver solver_;
+    btDefaultSoftBodySolver soft_solver_;
+    btSoftRigidDynamicsWorld world_;
+    std::vector<std::shared_ptr<btCollisionShape>> shapes_;
+    std::vector<std::unique_ptr<btRigidBody>> rigid_;
+};
+
+class RigidWorld : public BulletWorld {
+public:
+    explicit RigidWorld(const BenchWorld& scene) : BulletWorld(scene) {
+        shapes_.push_back(bulletShape(*scene.shape));
+        first_ = rigid_.size();
+        for (const BodyDef& def : scene.bodies) {
+            btRigidBody& body =
+                addRigid(shapes_.back().get(), 1, bulletOf(Pose{def.position, kNoRotation, 1.0}), scene);
+            body.setLinearVelocity(bulletOf(def.velocity));
+        }
+        matrices_.resize(16 * scene.bodies.size());
+    }
+    void step() override {
+        BulletWorld::step();
+        for (std::size_t i = first_; i < rigid_.size(); ++i) {
+            rigid_[i]->getWorldTransform().getOpenGLMatrix(&matrices_[16 * (i - first_)]);
+        }
+    }
+    [[nodiscard]] std::vector<Vec3> places() const override {
+        std::vector<Vec3> places;
+        for (std::size_t i = first_; i < rigid_.size(); ++i) {
+            const btVector3& p = rigid_[i]->getWorldTransform().getOrigin();
+            places.emplace_back(p.x(), p.y(), p.z());
+        }
+        return places;
+    }
+
+private:
+    std::size_t first_ = 0;
+    std::vector<btScalar> matrices_;
+};
+
+class SoftWorld : public BulletWorld {
+public:
+    explicit SoftWorld(const BenchWorld& scene) : BulletWorld(scene) {
+        std::vector<btVector3> points;
+        for (const Vec3& vertex : scene.shape->vertices()) {
+            points.push_back(bulletOf(vertex));
+        }
+        for (const BodyDef& def : scene.bodies) {
+            btSoftBody* body = btSoftBodyHelpers::CreateFromConvexHull(world_.getWorldInfo(), points.data(),
+                                                                       static_cast<int>(points.size()));
+            body->m_cfg.kPR = 100;
+            body->m_cfg.kDF = 0;
+            body->setTotalMass(1);
+            body->translate(bulletOf(def.position));
+            body->setVelocity(bulletOf(def.velocity));
+            world_.addSoftBody(body, kBody, kObstacle);
+            soft_.emplace_back(body);
+        }
+    }
+    ~SoftWorld() override {
+        for (const auto& body : soft_) {
+            world_.removeSoftBody(body.get());
+        }
+    }
+    SoftWorld(const SoftWorld&) = delete;
+    SoftWorld& operator=(const SoftWorld&) = delete;
+    [[nodiscard]] std::vector<Vec3> places() const override {
+        std::vector<Vec3> places;
+        for (const auto& body : soft_) {
+            btVector3 sum(0, 0, 0);
+            for (int i = 0; i < body->m_nodes.size(); ++i) {
+                sum += body->m_nodes[i].m_x;
+            }
+            sum /= static_cast<btScalar>(std::max(1, body->m_nodes.size()));
+            places.emplace_back(sum.x(), sum.y(), sum.z());
+        }
+        return places;
+    }
+
+private:
+    std::vector<std::unique_ptr<btSoftBody>> soft_;
+};
+
+} // namespace
+
+std::unique_ptr<WorldContender> bulletWorld(const BenchWorld& scene) {
+    return std::make_unique<RigidWorld>(scene);
+}
+
+std::unique_ptr<WorldContender> bulletSoftWorld(const BenchWorld& scene) {
+    return std::make_unique<SoftWorld>(scene);
+}
+
+} // namespace elastoon

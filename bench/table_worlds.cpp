@@ -1,0 +1,100 @@
+// Table 6: whole worlds, stepped at 60 Hz, beside Bullet's.
+#include "tables.h"
+#include "worlds.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace elastoon {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kWarmSteps = 60;
+
+struct Cell {
+    std::string scene;
+    std::size_t count;
+    bool soft;
+};
+
+/// Ours, then the peer where there is one.
+struct Figures {
+    double ours = kNan, rigid = kNan, soft = kNan;
+    double rigid_ratio = kNan, soft_ratio = kNan;
+};
+
+Figures measure(const BenchWorld& scene, bool soft, const Effort& effort, Report& report, const std::string& name,
+                std::uint64_t& hash) {
+    const auto ours = ourWorld(scene, 1);
+    const auto rigid = bulletWorld(scene);
+    const auto yielding = soft ? bulletSoftWorld(scene) : nullptr;
+    for (std::size_t i = 0; i < (effort.quick ? 1 : kWarmSteps); ++i) {
+        ours->step();
+        rigid->step();
+    }
+    hash = ours->hash();
+    const auto many = [](WorldContender& contender, int steps) {
+        for (int i = 0; i < steps; ++i) {
+            contender.step();
+        }
+    };
+    const std::size_t count = scene.bodies.size();
+    const int steps = effort.quick ? 1 : 8;
+    std::vector<Job> jobs{{[&] { many(*ours, steps); }, count * static_cast<std::size_t>(steps)},
+                          {[&] { many(*rigid, 1); }, count}};
+    if (soft) {
+        jobs.push_back({[&] { many(*yielding, 1); }, count});
+    }
+    const auto samples = interleave(jobs, effort);
+    Figures figures{median(samples[0]), median(samples[1]), kNan, medianRatio(samples[1], samples[0]), kNan};
+    if (soft) {
+        figures.soft = median(samples[2]);
+        figures.soft_ratio = medianRatio(samples[2], samples[0]);
+    }
+    report.errorAtMost(name + ": share of our bodies outside", 1.0 - lookAround(scene, *ours).inside, 0.0);
+    return figures;
+}
+
+void runCell(const Cell& cell, const Choice& choice, Report& report) {
+    const std::string name = fmt::format("world {} {}", cell.scene, cell.count);
+    if (!choice.wants(name)) {
+        return;
+    }
+    const BenchWorld scene =
+        benchWorld(cell.scene, choice.effort.quick ? std::min<std::size_t>(cell.count, 20) : cell.count);
+    std::uint64_t hash = 0;
+    const Figures figures = measure(scene, cell.soft, choice.effort, report, name, hash);
+    report.add({name, figures.ours, figures.rigid, figures.rigid_ratio, figures.soft, figures.soft_ratio,
+                fmt::format("  {:016x}", hash)});
+    if (cell.scene == "rain" && cell.count == 10000) {
+        report.expectAtLeast(name + ": times Bullet's rigid bodies", figures.rigid_ratio, 15.0);
+    } else if (cell.scene == "rain") {
+        report.expectAtLeast(name + ": times Bullet's soft bodies", figures.soft_ratio, 1000.0);
+    } else if (cell.scene == "flight") {
+        report.expectAtMost(name + ": ns a body and step", figures.ours, 20.0);
+    }
+}
+
+} // namespace
+
+void runWorldTable(const Choice& choice, Report& report) {
+    report.begin({"6. Worlds of 258-vertex bodies at 60 Hz (ns a body and step, matrices written, one thread)",
+                  {{"cell", "", 22},
+                   {"Elastoon ns", "{:.1f}", 12},
+                   {"rigid ns", "{:.0f}", 10},
+                   {"ratio", "{:.1f}", 8},
+                   {"soft ns", "{:.0f}", 10},
+                   {"ratio", "{:.0f}", 8},
+                   {"  hash", "", 18}},
+                  {}});
+    const Cell cells[] = {{"flight", 10000, false},  {"rain", 100, true},       {"rain", 10000, false},
+                          {"ballpit", 10000, false}, {"pachinko", 1000, false}, {"corners", 1000, false}};
+    for (const Cell& cell : cells) {
+        runCell(cell, choice, report);
+    }
+}
+
+} // namespace elastoon
