@@ -72,16 +72,20 @@ Met earliestNear(const Surroundings& around, const BodySlot& body, double from, 
     const double gap = (waits ? kNearGap : kHitGap) * body.shape->length();
     thread_local std::vector<std::size_t> candidates;
     around.near(body.phase, *body.shape, from, to, candidates);
+    thread_local std::vector<Watched> watched;
+    thread_local std::vector<std::size_t> slots;
+    watched.clear();
+    slots.clear();
     for (const std::size_t i : candidates) {
         const ObstacleSlot& obstacle = around.obstacles[i];
         const ObstacleId id = idOfObstacle(i, obstacle);
-        if (id == body.phase.obstacle || clearUntil(body.phase, id) > -kNever || (stands && !obstacle.frame.moves())) {
-            continue;
+        if (id != body.phase.obstacle && clearUntil(body.phase, id) == -kNever && (!stands || obstacle.frame.moves())) {
+            watched.push_back(obstacle.watched());
+            slots.push_back(i);
         }
-        const auto touch = firstNear(body.phase, *body.shape, obstacle.watched(), from, std::min(to, met.time), gap);
-        if (touch && touch->time < met.time) {
-            met = {touch->time, i, touch->surface};
-        }
+    }
+    if (const auto near = firstNear(body.phase, *body.shape, watched, from, to, gap)) {
+        met = {near->touch.time, slots[static_cast<std::size_t>(near->watched - watched.data())], near->touch.surface};
     }
     return met;
 }
@@ -158,8 +162,8 @@ Plan nextEvent(const Surroundings& around, BodySlot& body, double from, double t
     return let_go < kNever ? otherwise(let_go, Plan::Kind::PressLetGo) : otherwise(end, Plan::Kind::Wake);
 }
 
-/// Looks ahead of the step, so that what comes is looked up once. Where nothing moves or is changed, how far it looks and
-/// from where depends on the phase alone: the step does not show, not even in the last bit.
+/// Looks ahead of the step, so that what comes is looked up once. Where nothing moves or is changed, how far it looks
+/// and from where depends on the phase alone: the step does not show, not even in the last bit.
 void planAhead(const Surroundings& around, BodySlot& body, double from, double to) {
     constexpr double kAhead = 0.5;
     const bool same = body.plan.version == around.version;

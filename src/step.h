@@ -52,8 +52,8 @@ struct Met {
     Surface surface;
 };
 
-/// The next event of a body, looked up ahead of the step: it holds as long as the phase goes on and the surroundings are
-/// of that version.
+/// The next event of a body, looked up ahead of the step: it holds as long as the phase goes on and the surroundings
+/// are of that version.
 struct Plan {
     enum class Kind : std::uint8_t { Meet, FlyOn, EndSlide, EndImpact, PressLetGo, Wake };
     double looked_until = -std::numeric_limits<double>::infinity(); ///< nothing else happens until then

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace elastoon {
 
@@ -190,58 +191,112 @@ bool staysAway(const Phase& phase, const Watched& watched, double reach, double 
                          : glm::dot(watched.frame.orientationAt(from) * watched.normal, apart) > ball + gap;
 }
 
-/// By looking often: for when the bounds on the speed are too wide to get on with.
-std::optional<Touch> firstSeen(const Phase& phase, const Shape& shape, const Watched& watched, double from, double to,
-                               double gap) {
+/// One of those that are watched.
+struct Watch {
+    const Watched* watched;
+    double clear_until; ///< it is not met before
+    double apart; ///< last time at which it was seen apart
     ClosestSeed seed;
-    double apart = from;
-    for (int i = 1; i <= static_cast<int>(kLeastLooks); ++i) {
-        const double t = from + (to - from) * i / kLeastLooks;
-        if (distanceTo(watched, shape, poseAt(phase, shape, t), t, seed).gap <= gap) {
-            return stepBack(phase, shape, watched, apart, t, gap);
+};
+
+/// Watches all at once: what costs is the pose, so it is looked at together where that can be.
+class Lookout {
+public:
+    Lookout(const Phase& phase, const Shape& shape, double from, double to, double gap)
+        : phase_(phase),
+          shape_(shape),
+          from_(from),
+          to_(to),
+          gap_(gap),
+          bounds_(heldBounds(phase, shape, from, to)),
+          pose_(poseAt(phase, shape, from)),
+          posed_at_(from) {
+        const auto* impact = std::get_if<Impact>(&phase.motion);
+        grid_ = impact != nullptr ? impact->curve.duration() / kLeastLooks : (to - from) / kLeastLooks;
+        steep_ = impact != nullptr && impact->surface.solid;
+    }
+
+    void watch(const Watched& watched) {
+        if (!staysAway(phase_, watched, bounds_.reach, from_, to_, gap_)) {
+            watches_.push_back({&watched, from_, from_, {}});
         }
-        apart = t;
+    }
+    std::optional<Near> run();
+
+private:
+    [[nodiscard]] const Pose& poseOf(double t) {
+        if (t != posed_at_) {
+            pose_ = poseAt(phase_, shape_, t);
+            posed_at_ = t;
+        }
+        return pose_;
+    }
+    [[nodiscard]] Touch met(const Watch& watch, double apart, double t, const Distance& distance) const {
+        return distance.gap <= 0.0 && t > apart ? stepBack(phase_, shape_, *watch.watched, apart, t, gap_)
+                                                : Touch{t, distance.plane};
+    }
+    [[nodiscard]] double nextLook(const Watched& watched, const Pose& pose, double t, double distance) const;
+
+    const Phase& phase_;
+    const Shape& shape_;
+    double from_, to_, gap_;
+    HeldBounds bounds_;
+    double grid_ = 0.0;
+    bool steep_ = false; ///< the bounds may be passed
+    Pose pose_;
+    double posed_at_;
+    std::vector<Watch> watches_;
+};
+
+double Lookout::nextLook(const Watched& watched, const Pose& pose, double t, double distance) const {
+    const double arm = glm::length(pose.position - watched.frame.originAt(t)) + bounds_.reach +
+                       (watched.solid ? 0.0 : distance) + (to_ - t) * bounds_.speed;
+    const double speed =
+        bounds_.speed + glm::length(watched.frame.velocity) + glm::length(watched.frame.angular_velocity) * arm;
+    double step = (distance - 0.5 * gap_) / speed;
+    if (steep_ && distance < bounds_.reach) {
+        step = std::min(step, grid_);
+    }
+    // Onto the common grid, where it does not come to a stop.
+    const double on_grid = from_ + grid_ * std::floor((t + step - from_) / grid_);
+    return on_grid > t ? on_grid : t + step;
+}
+
+std::optional<Near> Lookout::run() {
+    for (int looks = 0; !watches_.empty() && looks < kMostAdvances; ++looks) {
+        const auto next = std::min_element(watches_.begin(), watches_.end(), [](const Watch& a, const Watch& b) {
+            return a.clear_until < b.clear_until;
+        });
+        Watch& watch = *next;
+        const double t = std::min(watch.clear_until, to_);
+        const Pose& pose = poseOf(t);
+        const Distance distance = distanceTo(*watch.watched, shape_, pose, t, watch.seed);
+        const bool last = t >= to_ && t > from_;
+        if (last ? distance.gap <= 0.0 : distance.gap <= gap_) {
+            return Near{met(watch, watch.apart, t, distance), watch.watched};
+        }
+        if (t >= to_) {
+            watches_.erase(next);
+            continue;
+        }
+        watch.apart = t;
+        watch.clear_until = nextLook(*watch.watched, pose, t, distance.gap);
     }
     return std::nullopt;
 }
 
 } // namespace
 
-std::optional<Touch> firstNear(const Phase& phase, const Shape& shape, const Watched& watched, double from, double to,
-                               double gap) {
-    ClosestSeed seed;
-    const HeldBounds bounds = heldBounds(phase, shape, from, to);
-    if (staysAway(phase, watched, bounds.reach, from, to, gap)) {
+std::optional<Near> firstNear(const Phase& phase, const Shape& shape, std::span<const Watched> all, double from,
+                              double to, double gap) {
+    if (all.empty()) {
         return std::nullopt;
     }
-    const double spin = glm::length(watched.frame.angular_velocity);
-    const auto* impact = std::get_if<Impact>(&phase.motion);
-    const double most_step = impact != nullptr && impact->surface.solid ? impact->curve.duration() / kLeastLooks
-                                                                        : std::numeric_limits<double>::infinity();
-    double t = from;
-    double apart = from;
-    for (int i = 0; i < kMostAdvances; ++i) {
-        const Pose pose = poseAt(phase, shape, t);
-        const Distance distance = distanceTo(watched, shape, pose, t, seed);
-        if (distance.gap <= gap) {
-            return distance.gap <= 0.0 && t > apart ? stepBack(phase, shape, watched, apart, t, gap)
-                                                    : Touch{t, distance.plane};
-        }
-        const double arm = glm::length(pose.position - watched.frame.originAt(t)) + bounds.reach +
-                           (watched.solid ? 0.0 : distance.gap) + (to - t) * bounds.speed;
-        const double speed = bounds.speed + glm::length(watched.frame.velocity) + spin * arm;
-        const double safe = (distance.gap - 0.5 * gap) / speed;
-        const bool near = distance.gap < bounds.reach;
-        const double step = near ? std::min(safe, most_step) : safe;
-        if (!(t + step < to)) {
-            const Distance last = distanceTo(watched, shape, poseAt(phase, shape, to), to, seed);
-            return last.gap > 0.0 || to <= t ? std::nullopt
-                                             : std::optional(stepBack(phase, shape, watched, t, to, gap));
-        }
-        apart = t;
-        t += step;
+    Lookout lookout(phase, shape, from, to, gap);
+    for (const Watched& watched : all) {
+        lookout.watch(watched);
     }
-    return firstSeen(phase, shape, watched, t, to, gap);
+    return lookout.run();
 }
 
 } // namespace elastoon

@@ -5,6 +5,7 @@
 #include "touch.h"
 
 #include <optional>
+#include <span>
 
 namespace elastoon {
 
@@ -33,9 +34,15 @@ struct Distance {
 [[nodiscard]] Distance distanceTo(const Watched& watched, const Shape& shape, const Pose& pose, double t,
                                   ClosestSeed& seed);
 
-/// First time in [from, to] at which the body is within `gap` m of the obstacle, with a plane between the two that does
-/// not cut the obstacle, nor the body unless the two overlap. None if it stays further away.
-[[nodiscard]] std::optional<Touch> firstNear(const Phase& phase, const Shape& shape, const Watched& watched,
-                                             double from, double to, double gap);
+/// Who was come near to, and when, with a plane between the two.
+struct Near {
+    Touch touch;
+    const Watched* watched;
+};
+
+/// First time in [from, to] at which the body is within `gap` m of one of the obstacles, with a plane between the two
+/// that does not cut the obstacle, nor the body unless the two overlap. None if it stays further away.
+[[nodiscard]] std::optional<Near> firstNear(const Phase& phase, const Shape& shape, std::span<const Watched> all,
+                                            double from, double to, double gap);
 
 } // namespace elastoon
