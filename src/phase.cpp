@@ -51,6 +51,10 @@ Pose restPose(const Rest& rest, const Shape& shape, double t, double factor) {
         const double reach = reachTowards(shape, pose, -rest.surface.normal);
         pose.stretch *= factor;
         pose.position += rest.surface.normal * (reachTowards(shape, pose, -rest.surface.normal) - reach);
+        if (rest.surface.solid) {
+            // It may hang over the solid's edge.
+            pose.position += rest.surface.normal * liftToTouch(rest.surface, shape, pose);
+        }
     }
     if (!frame.moves()) {
         return {frame.origin + frame.orientation * pose.position, frame.orientation * pose.orientation, pose.stretch};

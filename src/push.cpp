@@ -22,9 +22,10 @@ constexpr double kRounding = 1e-12;
 /// A way along the surface shorter than this (of a unit normal) is none: a wedge under 15 degrees lets nothing out.
 constexpr double kLeastWay = 0.25;
 constexpr std::size_t kMostBarriers = 16;
-/// A body is never squashed or stretched by more than these factors because it has no room.
+/// A body is never squashed or stretched by more than this factor because it has no room.
 constexpr double kMostSqueeze = 20.0;
-constexpr double kMostLengthening = 2.0;
+/// Nor stretched by more than this between what stands: it need not have gone there.
+constexpr double kMostBetweenStanding = 2.0;
 /// A body is pushed aside by at most this many times its (stretched) radius.
 constexpr double kMostPush = 2.0;
 /// Of looking for a shift that clears all and changes no more.
@@ -353,12 +354,17 @@ Fit squeezed(const Phase& phase, const Shape& shape, double t, const Pose& unfit
         return moveClear(phase, shape, t, tried);
     };
     constexpr double kRatio = 1.1;
+    const bool closes = surfaceOf(phase)->frame.moves() ||
+                        std::any_of(phase.clear_of.begin(), phase.clear_of.end(), [](const KeptClear& kept) {
+                            return kept.presses && kept.surface.frame.moves();
+                        });
+    const double longest = closes ? kMostSqueeze : kMostBetweenStanding;
     Fit best{unfit, false};
     double fit = 1.0;
     double misfit = 1.0;
     for (double ratio = kRatio; ratio < kMostSqueeze && !best.fits; ratio *= kRatio) {
         for (const double factor : {1.0 / ratio, ratio}) {
-            if (!best.fits && factor <= kMostLengthening && tryFactor(factor, best.pose)) {
+            if (!best.fits && factor <= longest && tryFactor(factor, best.pose)) {
                 best.fits = true;
                 fit = factor;
                 misfit = factor < 1.0 ? factor * kRatio : factor / kRatio;
