@@ -129,8 +129,12 @@ void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& fram
     if (!concerns && (flies || phase.obstacle != obstacle)) {
         return;
     }
-    if (std::holds_alternative<Slide>(phase.motion)) {
-        now(id).wake();
+    if (auto* slide = std::get_if<Slide>(&phase.motion)) {
+        // The body goes on with the velocity that it had, off the surface as it moves from now on.
+        const Vec3 velocity = velocityAt(body.phase, *body.shape, time);
+        slide->surface.frame = phase.obstacle == obstacle ? frame : slide->surface.frame;
+        body.phase = phase;
+        now(id).wake(now(id).held(), velocity);
         return;
     }
     phase.start = time;
