@@ -83,10 +83,10 @@ TEST(Golden, ScenesShowEveryPhaseEventAndRule) {
     for (const auto& [what, count] : counts) {
         all += what + " " + std::to_string(count) + ", ";
     }
-    for (const char* what : {"phase flight", "phase impact", "phase rest", "phase slide", "event impact",
-                             "event release", "event rest", "event wake", "event squeeze", "queued corner",
-                             "blended corner", "skip", "press", "path", "path that repeats", "turning obstacle",
-                             "solid", "no gravity"}) {
+    for (const char* what :
+         {"phase flight", "phase impact", "phase rest", "phase slide", "event impact", "event release", "event rest",
+          "event wake", "event squeeze", "queued corner", "blended corner", "skip", "press", "path",
+          "path that repeats", "turning obstacle", "solid", "no gravity"}) {
         EXPECT_GE(counts[what], 1) << what << " is in none of the scenes: " << all;
     }
     RecordProperty("seen", all);
