@@ -110,7 +110,7 @@ TEST_F(RecordingReader, DamageIsRefusedWithItsPlace) {
     expectRefused("a.csv", "", "neither");
     expectRefused("a.csv", "a,b\n1,2\n", "neither");
     expectRefused("a.csv", poses.substr(0, poses.size() - 5), "cut off");
-    expectRefused("a.csv", poses.substr(0, poses.rfind("\n", poses.size() - 2) + 1), "cut off");
+    expectRefused("a.csv", poses.substr(0, poses.rfind('\n', poses.size() - 2) + 1), "cut off");
     expectRefused("a.csv", changed(poses, "0,one,flight,", "0,one,flight,x"), "a.csv:2");
     expectRefused("a.csv", changed(poses, "0,one,flight,", "0,one,"), "a.csv:2");
     expectRefused("a.csv", changed(poses, "0,one,flight,", "nan,one,flight,"), "a.csv:2");
