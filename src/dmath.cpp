@@ -1,10 +1,20 @@
 // See dmath.h. Power series on reduced arguments: their remainders are below 1e-18 there.
 #include "dmath.h"
 
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+
+#ifdef __FAST_MATH__
+#error "Elastoon needs IEEE arithmetic as written: build it without -ffast-math. docs/determinism.md"
+#endif
 
 namespace elastoon {
+
+static_assert(std::numeric_limits<double>::is_iec559, "doubles must be those of IEEE 754");
+static_assert(FLT_EVAL_METHOD == 0,
+              "doubles must be computed as doubles; on 32-bit x86 build with -msse2 -mfpmath=sse");
 
 namespace {
 

@@ -111,7 +111,7 @@ TEST_F(Program, SimulateWritesItsFilesAndTellsWhatItDid) {
 }
 
 TEST_F(Program, HelpIsThereForEveryCommand) {
-    for (const char* command : {"", "simulate ", "render ", "figures ", "check "}) {
+    for (const char* command : {"", "simulate ", "render ", "figures ", "check ", "compare "}) {
         const Ran ran = run(std::string(command) + "--help");
         EXPECT_EQ(ran.code, 0) << command;
         EXPECT_GT(ran.output.size(), 200U) << command;
@@ -160,6 +160,10 @@ TEST_F(Program, BadUseExitsWithTwoAndOneMessage) {
         {"render " + good + " --strobe --fps 24 -o " + path("x.png"), "--fps"},
         {"simulate " + good + " --style jely", "known: anvil"},
         {"figures", "-o"},
+        {"compare " + good, "second"},
+        {"compare " + good + " " + good, "no recording"},
+        {"compare /no/such.json " + good, "/no/such.json"},
+        {"compare x.glb y.glb", ".json or .csv"},
     };
     for (const auto& [arguments, says] : cases) {
         const Ran ran = run(arguments);
@@ -167,6 +171,31 @@ TEST_F(Program, BadUseExitsWithTwoAndOneMessage) {
         EXPECT_NE(ran.output.find(says), std::string::npos) << arguments << "\n" << ran.output;
     }
     EXPECT_EQ(fileCount(), files) << "nothing was written";
+}
+
+TEST_F(Program, CompareTellsWhereRunsPart) {
+    const auto simulate = [&](const std::string& options, const std::string& name) {
+        return "simulate " + scenePath("hello.json") + options + " -o " + path(name + ".json") + " -o " +
+               path(name + ".csv") + " --events " + path(name + "-events.csv");
+    };
+    EXPECT_EQ(run(simulate(" --duration 2", "a")).code, 0);
+    EXPECT_EQ(run(simulate(" --duration 2 --threads 3", "b")).code, 0);
+    EXPECT_EQ(run(simulate(" --duration 2 --style jelly", "c")).code, 0);
+    EXPECT_EQ(run(simulate(" --duration 1", "d")).code, 0);
+    const auto compare = [&](const std::string& first, const std::string& second) {
+        return run("compare " + path(first) + " " + path(second));
+    };
+    for (const char* kind : {".json", ".csv", "-events.csv"}) {
+        const Ran equal = compare(std::string("a") + kind, std::string("b") + kind);
+        EXPECT_EQ(equal.code, 0) << equal.output;
+        EXPECT_EQ(equal.output.substr(0, 7), "equal: ");
+        const Ran differs = compare(std::string("a") + kind, std::string("c") + kind);
+        EXPECT_EQ(differs.code, 1) << differs.output;
+        EXPECT_EQ(differs.output.substr(0, 18), "first difference: ");
+    }
+    EXPECT_EQ(compare("a.json", "d.json").code, 2);
+    EXPECT_EQ(compare("a.csv", "d.csv").code, 2);
+    EXPECT_EQ(compare("a.json", "a.csv").code, 2);
 }
 
 TEST_F(Program, StyleIsGivenToEveryBody) {
