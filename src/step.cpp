@@ -6,6 +6,7 @@
 #include "touch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace elastoon {
@@ -162,19 +163,26 @@ Plan nextEvent(const Surroundings& around, BodySlot& body, double from, double t
     return let_go < kNever ? otherwise(let_go, Plan::Kind::PressLetGo) : otherwise(end, Plan::Kind::Wake);
 }
 
-/// Looks ahead of the step, so that what comes is looked up once. Where nothing moves or is changed, how far it looks
-/// and from where depends on the phase alone: the step does not show, not even in the last bit.
-void planAhead(const Surroundings& around, BodySlot& body, double from, double to) {
-    constexpr double kAhead = 0.5;
-    const bool same = body.plan.version == around.version;
-    const double begin = same ? std::max(from, body.plan.looked_until) : from;
-    // Boxes of moving solids hold for this step alone, and where all is changed at every step, so does a plan.
-    double ahead = same && around.moving_solids.empty() ? begin + kAhead : to;
+/// Looks ahead of the step, so that what comes is looked up once. How far it looks and from where depends on the phase
+/// alone, also where the surroundings have changed meanwhile: neither the step nor what is unrelated shows, not even in
+/// the last bit.
+void planAhead(const Surroundings& around, BodySlot& body, double from) {
+    constexpr double kAhead = Surroundings::kAhead;
+    const double start = body.phase.start;
+    const bool goes_on = body.plan.version == around.version && body.plan.looked_until > -kNever;
+    const double window = goes_on ? body.plan.window + 1.0 : std::floor((from - start) / kAhead);
+    const double begin = start + window * kAhead;
+    double ahead = start + (window + 1.0) * kAhead;
     const auto* rest = std::get_if<Rest>(&body.phase.motion);
     if (rest != nullptr && !rest->surface.frame.moves() && !around.anyMoves() && body.phase.clear_of.empty()) {
         ahead = kNever;
     }
     body.plan = nextEvent(around, body, begin, ahead);
+    if (body.plan.time < from) {
+        // What has come since was not there then.
+        body.plan = nextEvent(around, body, from, std::max(ahead, from));
+    }
+    body.plan.window = window;
     body.plan.looked_until = ahead;
     body.plan.version = around.version;
 }
@@ -221,7 +229,7 @@ void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double f
             return;
         }
         if (body.plan.version != around.version || body.plan.time > to) {
-            planAhead(around, body, t, to);
+            planAhead(around, body, t);
             continue;
         }
         const Plan plan = body.plan;

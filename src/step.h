@@ -58,6 +58,7 @@ struct Plan {
     enum class Kind : std::uint8_t { Meet, FlyOn, EndSlide, EndImpact, PressLetGo, Wake };
     double looked_until = -std::numeric_limits<double>::infinity(); ///< nothing else happens until then
     double time = std::numeric_limits<double>::infinity();
+    double window = 0.0; ///< the phase's time is looked at in windows of kAhead: which of them
     std::uint64_t version = 0; ///< of the surroundings
     Kind kind = Kind::Meet;
     std::shared_ptr<const Met> met; ///< of Meet
@@ -91,6 +92,7 @@ struct ObstacleSlot {
 
 /// What bodies meet and what pulls them: all that the motion of one body reads besides itself.
 struct Surroundings {
+    static constexpr double kAhead = 0.5; ///< s, of what bodies look for
     Vec3 gravity{0.0};
     std::vector<ObstacleSlot> obstacles;
     std::vector<std::size_t> planes; ///< slots, ascending
@@ -98,13 +100,13 @@ struct Surroundings {
     std::vector<std::size_t> moving_solids; ///< slots, ascending
     std::vector<std::size_t> on_paths; ///< slots, ascending
     std::uint64_t version = 0; ///< counts the changes
-    ObstacleTree solids; ///< boxes that hold now, and in a step through all of it
+    ObstacleTree solids; ///< boxes that hold now, and in a step through all of it and kAhead s more
 
     [[nodiscard]] bool anyMoves() const { return !moving_planes.empty() || !moving_solids.empty(); }
     /// To be called when an obstacle has come, goes, or moves otherwise; at time t.
     void include(std::size_t slot, double t);
     void exclude(std::size_t slot);
-    /// Grows the boxes of moving solids to where they will be within [from, to].
+    /// Grows the boxes of moving solids to where they will be within [from, to + kAhead].
     void prepareStep(double from, double to);
     /// Slots of the obstacles that a body may touch within [from, to]: all planes, and the solids near its
     /// way.

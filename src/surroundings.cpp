@@ -45,7 +45,7 @@ void Surroundings::exclude(std::size_t slot) {
 
 void Surroundings::prepareStep(double from, double to) {
     for (const std::size_t slot : moving_solids) {
-        solids.update(slot, sweptBox(*obstacles[slot].shape, obstacles[slot].frame, from, to));
+        solids.update(slot, sweptBox(*obstacles[slot].shape, obstacles[slot].frame, from, to + kAhead));
     }
 }
 

@@ -313,8 +313,11 @@ void Crowd::lookAtPose(BodyId body, const Pose& pose, double t) {
             squeezed_[body.slot] = t;
         }
     }
+    // What came to rest squeezed stays so.
+    const Phase& phase = world_.phase(body);
+    const double formed = std::holds_alternative<Rest>(phase.motion) ? std::min(t, phase.start) : t;
     const auto squeezed = squeezed_.find(body.slot);
-    if (squeezed == squeezed_.end() || t > squeezed->second + 3.0) {
+    if (squeezed == squeezed_.end() || formed > squeezed->second + 3.0) {
         const double over = std::max(pose.stretch / style.max_stretch, style.min_squash / pose.stretch) - 1.0;
         note(&Tally::over_stretched, over, body, world_.phase(body), t);
     }
