@@ -104,6 +104,8 @@ TEST_F(RecordingReader, DamageIsRefusedWithItsPlace) {
     expectRefused("a.json", R"({"kind": "recording"})", "fps");
     expectRefused("a.json", changed(json, "\"fps\":24.0", "\"fps\":-1"), "above 0");
     expectRefused("a.json", changed(json, "\"fps\":24.0", "\"fps\":25.0"), "61 frames");
+    expectRefused("a.json", changed(json, "\"fps\":24.0", "\"fps\":2e7"), "too few");
+    expectRefused("a.json", changed(json, "\"fps\":24.0", "\"fps\":23.0"), "61 frames");
     expectRefused("a.json", changed(json, "\"frames\":[[", "\"frames\":[[1,"), "9 numbers");
     expectRefused("a.json", changed(json, "\"frames\":[[", "\"frames\":[[null,"), "damaged");
     expectRefused("a.json", changed(json, "\"t_out\"", "\"t_in_out\""), "t_out");
@@ -118,6 +120,32 @@ TEST_F(RecordingReader, DamageIsRefusedWithItsPlace) {
     expectRefused("a.csv", changed(poses, "\n0.041666666666666664,crate,", "\n0.05,crate,"), "a.csv:7");
     EXPECT_FALSE(readRun("/no/such.json").ok());
     EXPECT_FALSE(readRun(testing::TempDir()).ok());
+}
+
+TEST_F(RecordingReader, RandomDamageIsReadOrRefused) {
+    const std::pair<std::string, std::string> files[] = {{"a.json", contentOf(writeRecording())},
+                                                         {"a.csv", contentOf(writePoses())},
+                                                         {"a.csv", contentOf(writeEvents())}};
+    Random random(5);
+    int refused = 0;
+    for (int i = 0; i < 300; ++i) {
+        const auto& [name, whole] = files[i % 3];
+        std::string text = whole;
+        for (int change = random.below(4); change >= 0; --change) {
+            const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
+            const int what = random.below(3);
+            if (what == 0) {
+                text[at] = static_cast<char>(random.below(256));
+            } else if (what == 1) {
+                text.erase(at, static_cast<std::size_t>(random.below(40)));
+            } else {
+                text.insert(at, text.substr(text.size() / 2, static_cast<std::size_t>(random.below(40))));
+            }
+        }
+        refused += readRun(write(name, text)).ok() ? 0 : 1;
+    }
+    EXPECT_GT(refused, 150);
+    EXPECT_LT(refused, 300) << "damage within a number need not show";
 }
 
 } // namespace

@@ -149,6 +149,27 @@ std::string plain(std::string_view message) {
     return std::string(end == std::string_view::npos ? message : message.substr(end + 2));
 }
 
+/// The times that the rate and the duration say, if the first body has about as many frames: damaged numbers must not
+/// ask for more memory than the file is worth.
+Status takeTimes(const Json& json, RecordedRun& run, const std::string& path) {
+    const Json& bodies = json.at("bodies");
+    if (bodies.empty()) {
+        return success();
+    }
+    const std::size_t frames = bodies.at(0).at("frames").size();
+    if (run.fps * run.duration > static_cast<double>(frames)) {
+        return Error{fmt::format("has {} frames, too few for {} s at {} a second", frames, shortestNumber(run.duration),
+                                 shortestNumber(run.fps)),
+                     path};
+    }
+    auto times = frameTimes(run.fps, run.duration);
+    if (!times) {
+        return Error{times.error().text(), path};
+    }
+    run.times = std::move(times).value();
+    return success();
+}
+
 Status takeBodies(const Json& json, RecordedRun& run, const std::string& path) {
     const Json& bodies = json.at("bodies");
     run.poses.resize(run.times.size() * bodies.size());
@@ -197,11 +218,9 @@ Result<RecordedRun> readJson(const std::string& text, const std::string& path) {
         RecordedRun run;
         run.fps = json.at("fps").get<double>();
         run.duration = json.at("duration").get<double>();
-        auto times = frameTimes(run.fps, run.duration);
-        if (!times) {
-            return Error{times.error().text(), path};
+        if (auto status = takeTimes(json, run, path); !status) {
+            return status.error();
         }
-        run.times = std::move(times).value();
         const Cells names = namesIn(kPoseHeader);
         run.pose_fields.assign(names.begin() + 3, names.begin() + 3 + kRecordedNumbers);
         if (auto status = takeBodies(json, run, path); !status) {
