@@ -78,7 +78,7 @@ std::optional<Error> checkPlace(const Vec3& position, const Quat& rotation) {
 
 namespace {
 
-std::optional<Error> checkPath(const std::vector<PathKey>& path) {
+std::optional<Error> checkPath(const std::vector<PathKey>& path, bool repeats) {
     double last = 0.0;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const std::string where = "path[" + std::to_string(i) + "]";
@@ -91,6 +91,9 @@ std::optional<Error> checkPath(const std::vector<PathKey>& path) {
             return Error{error->message, where + "." + error->where};
         }
         last = path[i].time;
+    }
+    if (repeats && !path.empty() && last < kLeastLap) {
+        return Error{"must take at least 0.001 s to repeat, takes " + shortNumber(last), "path"};
     }
     return std::nullopt;
 }
@@ -111,7 +114,7 @@ std::optional<Error> checkObstacleDef(const ObstacleDef& def) {
     if (!(std::isfinite(length) && length > 1e-12)) {
         return Error{"must be three finite numbers that are not all zero", "normal"};
     }
-    if (auto error = checkPath(def.path)) {
+    if (auto error = checkPath(def.path, def.path_repeats)) {
         return error;
     }
     return checkRotation(def.rotation, "rotation");

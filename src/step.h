@@ -35,6 +35,7 @@ public:
     }
 
 private:
+    friend class SeedFields;
     struct Pair {
         ObstacleId solid;
         std::uint64_t last_use = 0;
