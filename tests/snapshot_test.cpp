@@ -434,6 +434,12 @@ TEST(Snapshot, PathsAreSafeToRepeat) {
     const auto refused = world.addObstacle(def);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().text(), "path: must take at least 0.001 s to repeat, takes 0.0001");
+    def.path = {{1e-9, {0, 1, 0}, kNoRotation}, {1.0, {0, 0, 0}, kNoRotation}};
+    const auto too_fast = world.addObstacle(def);
+    ASSERT_FALSE(too_fast.ok());
+    EXPECT_EQ(too_fast.error().text(),
+              "path[0]: is too far for so short a time: that would take 1e+09 m/s and 0 rad/s, "
+              "and the most is 1e6 m/s and 1e4 rad/s");
     // A key that the clock cannot tell from the lap's start.
     def.path = {{1e-300, {0, 0, 0}, kNoRotation}, {0.5, {0, 1, 0}, kNoRotation}};
     ASSERT_TRUE(world.addObstacle(def).ok());

@@ -53,8 +53,8 @@ struct ObstacleDef {
     Quat rotation{kNoRotation}; ///< any length but zero
     Vec3 velocity{0.0};         ///< m/s, within +-1e6
     Vec3 angular_velocity{0.0}; ///< world axes, rad/s, within +-1e4
-    /// From where it is added it goes from key to key, between two with constant velocity and by the smallest turn; at
-    /// the last it stops. Not empty: velocity and angular_velocity are not read.
+    /// From where it is added it goes from key to key, between two with constant velocity (within 1e6 m/s) and by the
+    /// smallest turn (within 1e4 rad/s); at the last it stops. Not empty: velocity and angular_velocity are not read.
     std::vector<PathKey> path;
     /// From the last key (at 0.001 s or later) it jumps back to where it was added: make the two the same place.
     bool path_repeats = false;
