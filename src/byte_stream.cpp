@@ -15,10 +15,8 @@ constexpr std::size_t kLengthPlace = 16;
 
 std::uint64_t wordAt(std::span<const std::byte> bytes, std::size_t place, std::size_t size = 8) {
     std::uint64_t word = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        word |= static_cast<std::uint64_t>(bytes[place + i]) << 8 * i;
-    }
-    return word;
+    std::memcpy(&word, bytes.data() + place, size);
+    return littleEndian(word);
 }
 
 std::string hexOf(std::uint64_t value) {

@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #include <variant>
@@ -34,6 +35,20 @@ template <PlainNumber T>
     }
 }
 
+/// The number whose bytes in memory are those of this one in little-endian order; and back.
+template <std::unsigned_integral T>
+[[nodiscard]] T littleEndian(T value) {
+    if constexpr (std::endian::native == std::endian::little) {
+        return value;
+    } else {
+        T turned = 0;
+        for (std::size_t i = 0; i < sizeof(T); ++i) {
+            turned = static_cast<T>(turned << 8 | (value >> 8 * i & 0xff));
+        }
+        return turned;
+    }
+}
+
 /// Writes over what the vector holds and grows it as needed, so that a vector that is used again costs no allocation.
 class ByteWriter {
 public:
@@ -55,10 +70,8 @@ public:
     }
     template <PlainNumber T>
     void putAt(std::size_t place, T value) {
-        auto bits = bitsOf(value);
-        for (std::size_t i = 0; i < sizeof bits; ++i) {
-            out_[place + i] = static_cast<std::byte>(bits >> 8 * i & 0xff);
-        }
+        const auto bits = littleEndian(bitsOf(value));
+        std::memcpy(out_.data() + place, &bits, sizeof bits);
     }
     [[nodiscard]] std::size_t size() const { return size_; }
     /// Cuts the vector to what was written.
@@ -121,9 +134,8 @@ private:
         using Bits = decltype(bitsOf(T{}));
         Bits bits = 0;
         if (good_ && left() >= sizeof(Bits)) {
-            for (std::size_t i = 0; i < sizeof(Bits); ++i) {
-                bits = static_cast<Bits>(bits | static_cast<Bits>(bytes_[place_ + i]) << 8 * i);
-            }
+            std::memcpy(&bits, bytes_.data() + place_, sizeof bits);
+            bits = littleEndian(bits);
             place_ += sizeof(Bits);
         } else {
             spoil();
