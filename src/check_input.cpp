@@ -1,6 +1,8 @@
 // See check_input.h.
 #include "check_input.h"
 
+#include "path.h"
+
 #include <cmath>
 #include <cstdio>
 
@@ -78,7 +80,22 @@ std::optional<Error> checkPlace(const Vec3& position, const Quat& rotation) {
 
 namespace {
 
-std::optional<Error> checkPath(const std::vector<PathKey>& path) {
+/// Between two keys, or none of them and the start.
+std::optional<Error> checkLeg(const PathKey& from, const PathKey& to, const std::string& where) {
+    const MovingFrame leg = frameBetween(from.time, from.position, from.rotation, to.time, to.position, to.rotation);
+    const double speed = glm::length(leg.velocity);
+    const double spin = glm::length(leg.angular_velocity);
+    if (speed <= kMostSpeed && spin <= kMostSpin) {
+        return std::nullopt;
+    }
+    return Error{"is too far for so short a time: that would take " + shortNumber(speed) + " m/s and " +
+                     shortNumber(spin) + " rad/s, and the most is 1e6 m/s and 1e4 rad/s",
+                 where};
+}
+
+std::optional<Error> checkPath(const ObstacleDef& def) {
+    const std::vector<PathKey>& path = def.path;
+    const bool repeats = def.path_repeats;
     double last = 0.0;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const std::string where = "path[" + std::to_string(i) + "]";
@@ -90,7 +107,14 @@ std::optional<Error> checkPath(const std::vector<PathKey>& path) {
         if (auto error = checkPlace(path[i].position, path[i].rotation)) {
             return Error{error->message, where + "." + error->where};
         }
+        const PathKey start{0.0, def.position, def.rotation};
+        if (auto error = checkLeg(i == 0 ? start : path[i - 1], path[i], where)) {
+            return error;
+        }
         last = path[i].time;
+    }
+    if (repeats && !path.empty() && last < kLeastLap) {
+        return Error{"must take at least 0.001 s to repeat, takes " + shortNumber(last), "path"};
     }
     return std::nullopt;
 }
@@ -111,10 +135,10 @@ std::optional<Error> checkObstacleDef(const ObstacleDef& def) {
     if (!(std::isfinite(length) && length > 1e-12)) {
         return Error{"must be three finite numbers that are not all zero", "normal"};
     }
-    if (auto error = checkPath(def.path)) {
+    if (auto error = checkRotation(def.rotation, "rotation")) {
         return error;
     }
-    return checkRotation(def.rotation, "rotation");
+    return checkPath(def);
 }
 
 } // namespace elastoon

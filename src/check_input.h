@@ -13,6 +13,8 @@ inline constexpr double kMostSpeed = 1e6;
 inline constexpr double kMostSpin = 1e4;
 inline constexpr double kMostGravity = 1e6;
 inline constexpr double kMostStep = 1e6;
+/// A path that repeats takes this long at least, s: a world has to stop at every key.
+inline constexpr double kLeastLap = 1e-3;
 
 /// A number as people write it: up to six digits.
 [[nodiscard]] std::string shortNumber(double value);

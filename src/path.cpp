@@ -32,6 +32,10 @@ OnPath find(const Path& path, double t) {
     }
     if (path.repeats && on.next == path.keys.size()) {
         on = {on.lap_start + lap, 0};
+        // A key right after the start may be at the same time to rounding: what changes must change later.
+        while (on.next + 1 < path.keys.size() && on.lap_start + path.keys[on.next].time <= t) {
+            ++on.next;
+        }
     }
     return on;
 }

@@ -2,11 +2,13 @@
 #include "elastoon/shape.h"
 
 #include "dmath.h"
-#include "hull.h"
+#include "hash.h"
+#include "shape_parts.h"
 #include "support.h"
 #include "topology.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -170,18 +172,55 @@ Result<ShapePtr> Shape::fromPoints(ShapeKind kind, std::vector<Vec3> points, dou
     if (!made) {
         return made.error();
     }
-    Polytope& polytope = made.value();
-    const auto shape = std::shared_ptr<Shape>(new Shape);
-    shape->kind_ = kind;
-    shape->radius_ = radius;
-    const MassCenter mass = massCenterOf(polytope);
-    shape->volume_ = mass.volume;
+    ShapeParts parts{kind, radius, 0.0, Vec3(0.0), std::move(made.value())};
+    const MassCenter mass = massCenterOf(parts.polytope);
+    parts.volume = mass.volume;
     if (kind == ShapeKind::Hull) {
-        shape->centroid_of_input_ = mass.centroid;
-        for (Vec3& vertex : polytope.vertices) {
+        parts.centroid_of_input = mass.centroid;
+        for (Vec3& vertex : parts.polytope.vertices) {
             vertex -= mass.centroid;
         }
     }
+    return fromParts(std::move(parts));
+}
+
+namespace {
+
+std::uint64_t hashOf(const ShapeParts& parts) {
+    Hash hash;
+    const auto addBits = [&](double number) { hash.add(std::bit_cast<std::uint64_t>(number)); };
+    const auto addVector = [&](const Vec3& v) {
+        addBits(v.x);
+        addBits(v.y);
+        addBits(v.z);
+    };
+    hash.add(std::uint64_t{static_cast<std::uint8_t>(parts.kind)});
+    addBits(parts.radius);
+    addBits(parts.volume);
+    addVector(parts.centroid_of_input);
+    const Polytope& polytope = parts.polytope;
+    hash.add(std::uint64_t{polytope.vertices.size()});
+    std::for_each(polytope.vertices.begin(), polytope.vertices.end(), addVector);
+    hash.add(std::uint64_t{polytope.face_begin.size()});
+    for (const std::uint32_t begin : polytope.face_begin) {
+        hash.add(std::uint64_t{begin});
+    }
+    for (const std::uint32_t vertex : polytope.face_vertices) {
+        hash.add(std::uint64_t{vertex});
+    }
+    return hash.value();
+}
+
+} // namespace
+
+ShapePtr Shape::fromParts(ShapeParts parts) {
+    const auto shape = std::shared_ptr<Shape>(new Shape);
+    shape->content_hash_ = hashOf(parts);
+    shape->kind_ = parts.kind;
+    shape->radius_ = parts.radius;
+    shape->volume_ = parts.volume;
+    shape->centroid_of_input_ = parts.centroid_of_input;
+    Polytope& polytope = parts.polytope;
     Vec3 low(polytope.vertices.front());
     Vec3 high = low;
     for (const Vec3& vertex : polytope.vertices) {

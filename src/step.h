@@ -36,6 +36,7 @@ public:
     }
 
 private:
+    friend class SeedFields;
     struct Pair {
         ObstacleId solid;
         std::uint64_t last_use = 0;

@@ -10,6 +10,9 @@
 
 namespace elastoon {
 
+struct SnapshotMemory;
+struct SnapshotState;
+
 struct World::Impl {
     Surroundings around;
     ParallelFor parallel_for;
@@ -20,7 +23,11 @@ struct World::Impl {
     std::vector<PhaseBegun> phases;
     /// Left by user changes since the last step; the next step takes them in.
     Happenings pending;
+    /// What snapshots and restores use again and again; null before the first. See snapshot.cpp.
+    std::shared_ptr<SnapshotMemory> snapshots;
 
+    SnapshotMemory& snapshotMemory();
+    void become(SnapshotState& state);
     BodySlot* find(BodyId id) {
         const bool known = id.slot != 0 && id.slot <= bodies.size();
         BodySlot* slot = known ? &bodies[id.slot - 1] : nullptr;

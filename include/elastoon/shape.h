@@ -15,6 +15,7 @@ namespace elastoon {
 
 class Shape;
 struct Topology;
+struct ShapeParts;
 class ClimbStarts;
 /// Shapes are immutable and shared between worlds and bodies.
 using ShapePtr = std::shared_ptr<const Shape>;
@@ -69,6 +70,9 @@ public:
     /// Radius and length that the shape was made with (sphere: radius; cylinder, cone, capsule: both), else 0.
     [[nodiscard]] double radius() const { return radius_; }
 
+    /// 64 bits over all that the shape is: shapes that were made alike have equal hashes, on every machine.
+    [[nodiscard]] std::uint64_t contentHash() const { return content_hash_; }
+
     /// The vertex furthest in `direction` (shape frame, any length), to rounding.
     [[nodiscard]] std::size_t supportVertex(const Vec3& direction) const;
 
@@ -78,7 +82,9 @@ public:
     [[nodiscard]] const ClimbStarts& climbStarts() const { return *climb_starts_; }
 
 private:
+    friend struct ShapeParts;
     Shape() = default;
+    static ShapePtr fromParts(ShapeParts parts);
     static Result<ShapePtr> fromPoints(ShapeKind kind, std::vector<Vec3> points, double radius);
 
     ShapeKind kind_ = ShapeKind::Hull;
@@ -91,6 +97,7 @@ private:
     Vec3 centroid_of_input_{0.0};
     double length_ = 0.0, bounding_radius_ = 0.0, reach_along_ = 0.0, reach_across_ = 0.0;
     double volume_ = 0.0, radius_ = 0.0;
+    std::uint64_t content_hash_ = 0;
 };
 
 } // namespace elastoon

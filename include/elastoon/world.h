@@ -8,6 +8,7 @@
 #include "elastoon/shape.h"
 #include "elastoon/style.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -52,10 +53,11 @@ struct ObstacleDef {
     Quat rotation{kNoRotation}; ///< any length but zero
     Vec3 velocity{0.0};         ///< m/s, within +-1e6
     Vec3 angular_velocity{0.0}; ///< world axes, rad/s, within +-1e4
-    /// From where it is added it goes from key to key, between two with constant velocity and by the smallest turn; at
-    /// the last it stops. Not empty: velocity and angular_velocity are not read.
+    /// From where it is added it goes from key to key, between two with constant velocity (within 1e6 m/s) and by the
+    /// smallest turn (within 1e4 rad/s); at the last it stops. Not empty: velocity and angular_velocity are not read.
     std::vector<PathKey> path;
-    bool path_repeats = false; ///< from the last key it jumps back to where it was added: make the two the same place
+    /// From the last key (at 0.001 s or later) it jumps back to where it was added: make the two the same place.
+    bool path_repeats = false;
     std::uint64_t user_data = 0;
 
     [[nodiscard]] bool moves() const;
@@ -109,6 +111,12 @@ struct Prediction {
     std::vector<Event> events; ///< the first impact among them is the first touch
     /// The body's pose at time t, from now to the horizon.
     [[nodiscard]] Pose poseAt(const Shape& shape, double t) const;
+};
+
+struct SnapshotOptions {
+    /// With the shapes themselves, for a world that does not know them: another program, a saved game. Else they are
+    /// only named.
+    bool include_shapes = false;
 };
 
 /// Bodies do not meet each other; obstacles do not react. Not thread-safe: one call at a time on one world.
@@ -183,6 +191,17 @@ public:
 
     /// 64 bits over time and over every body's phase and pose: equal worlds have equal hashes, on every machine.
     [[nodiscard]] std::uint64_t stateHash() const;
+
+    /// All that later steps read, as bytes: a world restored from them goes on to the bit. The events and phases of the
+    /// last step and the parallel_for are not in them. docs/snapshot.md.
+    [[nodiscard]] std::vector<std::byte> snapshot(const SnapshotOptions& options = {}) const;
+    /// The same over what `out_bytes` held: with a vector that is used again, nothing is allocated.
+    void snapshotInto(std::vector<std::byte>& out_bytes, const SnapshotOptions& options = {}) const;
+    /// Makes this world the one of the snapshot; events() and phasesBegun() are empty until the next step. Shapes are
+    /// found by content among those of this world and its earlier snapshots, those given as known, and those in the
+    /// bytes. Refused, with the world as it was: bytes that are damaged, of another version, or unsound, and shapes that
+    /// are not found.
+    Status restore(std::span<const std::byte> bytes, std::span<const ShapePtr> known = {});
 
 private:
     struct Impl;
