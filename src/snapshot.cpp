@@ -94,6 +94,68 @@ private:
 
 namespace {
 
+void writePlan(StateWriter& writer, const Plan& plan) {
+    writer(plan.looked_until, plan.time, plan.window, plan.version, plan.kind, plan.met != nullptr);
+    if (plan.met) {
+        writer(static_cast<std::uint64_t>(plan.met->obstacle));
+        fields(writer, plan.met->surface);
+    }
+}
+
+bool fitsPhase(Plan::Kind kind, const Phase& phase) {
+    switch (kind) {
+    case Plan::Kind::Meet:
+        return true;
+    case Plan::Kind::FlyOn:
+        return std::holds_alternative<Flight>(phase.motion);
+    case Plan::Kind::EndSlide:
+        return std::holds_alternative<Slide>(phase.motion);
+    case Plan::Kind::EndImpact:
+        return std::holds_alternative<Impact>(phase.motion);
+    case Plan::Kind::PressLetGo:
+    case Plan::Kind::Wake:
+        return std::holds_alternative<Rest>(phase.motion);
+    }
+    return false;
+}
+
+/// Null, or what would be right.
+const char* readPlan(StateReader& reader, Plan& plan, const Phase& phase, const std::vector<ObstacleSlot>& obstacles) {
+    bool meets = false;
+    plan = {};
+    reader(plan.looked_until, plan.time, plan.window, plan.version, plan.kind, meets);
+    if (!reader.good()) {
+        return nullptr;
+    }
+    if (std::isnan(plan.looked_until) || std::isnan(plan.time) || !std::isfinite(plan.window)) {
+        return "what a body does next must have numbers for times";
+    }
+    const bool nothing = plan.time == std::numeric_limits<double>::infinity();
+    if (!fitsPhase(plan.kind, phase) || (!nothing && meets != (plan.kind == Plan::Kind::Meet))) {
+        return "what a body does next must fit its phase";
+    }
+    if (!meets) {
+        return nullptr;
+    }
+    std::uint64_t obstacle = 0;
+    Met met;
+    reader(obstacle);
+    fields(reader, met.surface);
+    if (!reader.good()) {
+        return nullptr;
+    }
+    if (obstacle >= obstacles.size() || !obstacles[obstacle].used) {
+        return "what a body meets next must be an obstacle";
+    }
+    met.obstacle = obstacle;
+    met.time = plan.time;
+    if (const char* flaw = flawOf(met.surface)) {
+        return flaw;
+    }
+    plan.met = std::make_shared<const Met>(std::move(met));
+    return nullptr;
+}
+
 template <class List>
 void writeNumbers(StateWriter& writer, const List& list) {
     writer.sized(list, 4);
@@ -235,13 +297,13 @@ std::optional<Error> StateParser::readBody(std::size_t index) {
         }
     }
     checked_ = &slot.style;
-    if (std::isnan(slot.untouched_until)) {
-        return wrong("the time until which it is untouched must be a number");
-    }
     if (const char* flaw = flawOf(slot.phase, state_.time)) {
         return wrong(flaw);
     }
     const char* flaw = SeedFields::read(reader_, slot.seeds, state_.obstacles, *slot.shape);
+    if (flaw == nullptr) {
+        flaw = readPlan(reader_, slot.plan, slot.phase, state_.obstacles);
+    }
     return flaw != nullptr && reader_.good() ? std::optional(wrong(flaw)) : std::nullopt;
 }
 
@@ -365,6 +427,8 @@ void World::snapshotInto(std::vector<std::byte>& out_bytes, const SnapshotOption
         fields(writer, body);
         if (body.used) {
             SeedFields::write(writer, body.seeds, impl.around);
+            // A plan that is out of date is made anew.
+            writePlan(writer, body.plan.version == impl.around.version ? body.plan : Plan{});
         }
     }
     writeList(writer, impl.pending.events);

@@ -53,6 +53,8 @@ const char* flawOf(const MovingFrame& frame) {
     return isUnit(frame.orientation) ? nullptr : "a frame's orientation must be a unit quaternion";
 }
 
+} // namespace
+
 const char* flawOf(const Surface& surface) {
     if (const char* flaw = flawOf(surface.frame)) {
         return flaw;
@@ -62,6 +64,8 @@ const char* flawOf(const Surface& surface) {
     }
     return isUnit(surface.normal) ? nullptr : "a surface's normal must be a unit vector";
 }
+
+namespace {
 
 const char* flawOf(const Ease& ease) {
     const bool sound = within(ease.span, 0.0, kMostTime) && (ease.span == 0.0 || ease.span >= 1e-9) &&

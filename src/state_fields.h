@@ -186,7 +186,7 @@ void fields(Stream& stream, Of<BodySlot> auto& slot) {
     stream(slot.generation, slot.used);
     if (slot.used) {
         stream.shape(slot.shape);
-        stream(slot.user_data, slot.untouched_until, slot.untouched_in);
+        stream(slot.user_data);
         fields(stream, slot.style);
         fields(stream, slot.phase);
     }
