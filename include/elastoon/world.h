@@ -199,8 +199,8 @@ public:
     void snapshotInto(std::vector<std::byte>& out_bytes, const SnapshotOptions& options = {}) const;
     /// Makes this world the one of the snapshot; events() and phasesBegun() are empty until the next step. Shapes are
     /// found by content among those of this world and its earlier snapshots, those given as known, and those in the
-    /// bytes. Refused, with the world as it was: bytes that are damaged, of another version, or unsound, and shapes that
-    /// are not found.
+    /// bytes. Refused, with the world as it was: bytes that are damaged, of another version, or unsound, and shapes
+    /// that are not found.
     Status restore(std::span<const std::byte> bytes, std::span<const ShapePtr> known = {});
 
 private:
