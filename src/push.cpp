@@ -355,9 +355,8 @@ Fit squeezed(const Phase& phase, const Shape& shape, double t, const Pose& unfit
     };
     constexpr double kRatio = 1.1;
     const bool closes = surfaceOf(phase)->frame.moves() ||
-                        std::any_of(phase.clear_of.begin(), phase.clear_of.end(), [](const KeptClear& kept) {
-                            return kept.presses && kept.surface.frame.moves();
-                        });
+                        std::any_of(phase.clear_of.begin(), phase.clear_of.end(),
+                                    [](const KeptClear& kept) { return kept.presses && kept.surface.frame.moves(); });
     const double longest = closes ? kMostSqueeze : kMostBetweenStanding;
     Fit best{unfit, false};
     double fit = 1.0;
