@@ -8,8 +8,8 @@
 #include "world_impl.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
-#include <unordered_map>
 
 namespace elastoon {
 
@@ -37,8 +37,8 @@ struct SnapshotState {
 
 struct SnapshotMemory {
     ShapeTable table;
-    /// Shapes that this world's snapshots name, by content: found in no order that matters.
-    std::unordered_map<std::uint64_t, ShapePtr> shapes;
+    /// Shapes that this world's snapshots name, by content.
+    std::map<std::uint64_t, ShapePtr> shapes;
     SnapshotState state;
 };
 

@@ -3,7 +3,7 @@
 
 #include "shape_parts.h"
 
-#include <bit>
+#include <algorithm>
 #include <string>
 
 namespace elastoon {
@@ -15,8 +15,7 @@ void ShapeTable::clear() {
 }
 
 std::size_t ShapeTable::bucketOf(const Shape* shape) const {
-    std::size_t bucket =
-        std::bit_cast<std::uintptr_t>(shape) / 16 * 0x9e3779b97f4a7c15ULL >> 20 & (buckets_.size() - 1);
+    std::size_t bucket = shape->contentHash() & (buckets_.size() - 1);
     while (buckets_[bucket] != 0 && shapes_[buckets_[bucket] - 1].get() != shape) {
         bucket = (bucket + 1) & (buckets_.size() - 1);
     }

@@ -24,7 +24,7 @@ private:
     [[nodiscard]] std::size_t bucketOf(const Shape* shape) const;
 
     std::vector<ShapePtr> shapes_;
-    std::vector<std::uint32_t> buckets_; ///< places by address; 0: free. Their number is a power of two.
+    std::vector<std::uint32_t> buckets_; ///< places by content; 0: free. Their number is a power of two.
     std::uint32_t last_ = 0;
 };
 
