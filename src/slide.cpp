@@ -210,8 +210,9 @@ std::optional<SlideBegun> beginSlide(const Touching& touching, const Shape& shap
     const Vec3 target = glm::dot(axis, slide.direction) < 0.0 ? -slide.direction : slide.direction;
     slide.orientation = unitOf(rotationBetween(axis, target) * orientation);
     const Pose own = slidePose(slide, shape, t);
-    slide.ease = easeBetween({Vec3(0.0), orientation, touching.pose.stretch},
-                             {Vec3(0.0), slide.orientation, own.stretch}, settlingTime(style, shape.length()));
+    slide.ease =
+        easeBetween({Vec3(0.0), orientation, touching.pose.stretch},
+                    {Vec3(0.0), frame_from_world * own.orientation, own.stretch}, settlingTime(style, shape.length()));
     const Vec3 contact = contactAlongWay(slide, shape);
     begun.duration = std::min({timeOnWay(slide), timeOnFace(surface, slide.foot, slide.velocity, slide.acceleration),
                                timeOnFace(surface, contact, slide.velocity, slide.acceleration)});
@@ -237,7 +238,9 @@ Pose slidePose(const Slide& slide, const Shape& shape, double t, double factor) 
     Pose pose;
     pose.stretch = slideStretch(slide, speed);
     pose.orientation = slide.orientation;
-    const bool turns = glm::length(glm::cross(slide.direction, velocity)) > kStraight * glm::length(slide.velocity);
+    // Of a straight slide only rounding is across, which is all that is left where it stops.
+    constexpr double kRounding = 1e-13;
+    const bool turns = glm::length(glm::cross(slide.direction, velocity)) > kRounding * glm::length(slide.velocity);
     if (turns && glm::dot(velocity, slide.direction) > 0.5 * speed) {
         pose.orientation = rotationBetween(slide.direction, velocity / speed) * pose.orientation;
     }
