@@ -48,7 +48,7 @@ public:
             return;
         }
         const BodyId body = bodies[static_cast<std::size_t>(random_.below(static_cast<int>(bodies.size())))];
-        const auto solid = static_cast<std::size_t>(6 + random_.below(static_cast<int>(obstacles.size()) - 6));
+        const std::size_t solid = 6 + static_cast<std::size_t>(random_.below(static_cast<int>(obstacles.size()) - 6));
         switch (random_.below(10)) {
         case 0:
             target.removeBody(body);

@@ -309,7 +309,9 @@ protected:
     /// Where this number is for the n-th time.
     [[nodiscard]] std::size_t placeOf(double value, int nth = 0) const {
         for (std::size_t place = 40; place + 8 <= bytes_.size(); ++place) {
-            if (std::memcmp(bytes_.data() + place, &value, 8) == 0 && nth-- == 0) {
+            std::uint64_t bits = 0;
+            std::memcpy(&bits, bytes_.data() + place, 8);
+            if (bits == std::bit_cast<std::uint64_t>(value) && nth-- == 0) {
                 return place;
             }
         }
