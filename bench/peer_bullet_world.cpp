@@ -10,6 +10,8 @@
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
+#include <deque>
+
 namespace elastoon {
 
 namespace {
@@ -40,8 +42,8 @@ public:
         }
     }
     ~BulletWorld() override {
-        for (const auto& body : rigid_) {
-            world_.removeRigidBody(body.get());
+        for (btRigidBody& body : rigid_) {
+            world_.removeRigidBody(&body);
         }
     }
     BulletWorld(const BulletWorld&) = delete;
@@ -56,16 +58,15 @@ protected:
         if (mass > 0) {
             shape->calculateLocalInertia(mass, inertia);
         }
-        auto body =
-            std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(mass, nullptr, shape, inertia));
-        body->setWorldTransform(transform);
-        body->setInterpolationWorldTransform(transform);
-        body->setRestitution(mass > 0 ? static_cast<btScalar>(scene.style.restitution) : btScalar(1));
-        body->setFriction(0);
-        body->setActivationState(DISABLE_DEACTIVATION);
-        world_.addRigidBody(body.get(), mass > 0 ? kBody : kObstacle, mass > 0 ? kObstacle : kBody);
-        rigid_.push_back(std::move(body));
-        return *rigid_.back();
+        rigid_.emplace_back(btRigidBody::btRigidBodyConstructionInfo(mass, nullptr, shape, inertia));
+        btRigidBody& body = rigid_.back();
+        body.setWorldTransform(transform);
+        body.setInterpolationWorldTransform(transform);
+        body.setRestitution(mass > 0 ? static_cast<btScalar>(scene.style.restitution) : btScalar(1));
+        body.setFriction(0);
+        body.setActivationState(DISABLE_DEACTIVATION);
+        world_.addRigidBody(&body, mass > 0 ? kBody : kObstacle, mass > 0 ? kObstacle : kBody);
+        return body;
     }
     void addPlane(const Vec3& normal, double offset, const BenchWorld& scene) {
         shapes_.push_back(std::make_shared<btStaticPlaneShape>(bulletOf(normal), static_cast<btScalar>(offset)));
@@ -79,7 +80,7 @@ protected:
     btDefaultSoftBodySolver soft_solver_;
     btSoftRigidDynamicsWorld world_;
     std::vector<std::shared_ptr<btCollisionShape>> shapes_;
-    std::vector<std::unique_ptr<btRigidBody>> rigid_;
+    std::deque<btRigidBody> rigid_; ///< they stay where they are
 };
 
 class RigidWorld : public BulletWorld {
@@ -97,13 +98,13 @@ public:
     void step() override {
         BulletWorld::step();
         for (std::size_t i = first_; i < rigid_.size(); ++i) {
-            rigid_[i]->getWorldTransform().getOpenGLMatrix(&matrices_[16 * (i - first_)]);
+            rigid_[i].getWorldTransform().getOpenGLMatrix(&matrices_[16 * (i - first_)]);
         }
     }
     [[nodiscard]] std::vector<Vec3> places() const override {
         std::vector<Vec3> places;
         for (std::size_t i = first_; i < rigid_.size(); ++i) {
-            const btVector3& p = rigid_[i]->getWorldTransform().getOrigin();
+            const btVector3& p = rigid_[i].getWorldTransform().getOrigin();
             places.emplace_back(p.x(), p.y(), p.z());
         }
         return places;
