@@ -217,7 +217,7 @@ void Crowd::change() {
 
 /// A solid that stands goes, and another comes: under a body that lies on it, or against which it squashes, too.
 void Crowd::replaceOne() {
-    const auto i = static_cast<std::size_t>(6 + random_.below(kStanding));
+    const auto i = std::size_t{6} + static_cast<std::size_t>(random_.below(kStanding));
     Thing next;
     next.def.shape = anyOf(random_, solids_);
     next.ball = next.def.shape->boundingRadius();
