@@ -399,30 +399,34 @@ Pose keptClear(const Phase& phase, const Shape& shape, double t) {
     return fitted(phase, shape, t).pose;
 }
 
-double blockedAt(const Phase& phase, const Shape& shape) {
+double blockedAt(const Phase& phase, const Shape& shape, double from, double to) {
     constexpr int kLooks = 48;
     constexpr int kMostNarrowings = 8;
-    double end = phase.end;
+    double end = to;
     // Where it is first found blocked it may have been blocked before: it is looked at again, more closely.
     for (int narrowing = 0; narrowing < kMostNarrowings; ++narrowing) {
-        double fits_at = phase.start;
+        double fits_at = from;
         double blocked = end;
         bool fits = true;
         for (int i = 0; fits && i <= kLooks; ++i) {
-            const double t = i == kLooks ? end : phase.start + (end - phase.start) * i / kLooks;
+            const double t = i == kLooks ? end : from + (end - from) * i / kLooks;
             fits = fitted(phase, shape, t).fits;
             (fits ? fits_at : blocked) = t;
         }
         if (fits) {
             return end;
         }
-        while (blocked - fits_at > 1e-9 * (phase.end - phase.start)) {
+        while (blocked - fits_at > 1e-9 * (to - from)) {
             const double middle = 0.5 * (fits_at + blocked);
             (fitted(phase, shape, middle).fits ? fits_at : blocked) = middle;
         }
         end = fits_at;
     }
     return end;
+}
+
+double blockedAt(const Phase& phase, const Shape& shape) {
+    return blockedAt(phase, shape, phase.start, phase.end);
 }
 
 double pushGain(const Phase& phase, double t) {

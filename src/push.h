@@ -30,6 +30,8 @@ struct Barrier {
 /// When the body of an impact that is kept clear of others first finds no room to go on; the phase's end if it does
 /// not.
 [[nodiscard]] double blockedAt(const Phase& phase, const Shape& shape);
+/// Likewise of any phase but a flight, within [from, to]; `to` if it finds room until then.
+[[nodiscard]] double blockedAt(const Phase& phase, const Shape& shape, double from, double to);
 
 /// How much faster than the surfaces and the body's own motion the push can be, at time t: 0 without one.
 [[nodiscard]] double pushGain(const Phase& phase, double t);

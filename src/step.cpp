@@ -104,6 +104,23 @@ double leavingEndsPushed(const BodySlot& body) {
     return first;
 }
 
+/// When, within [from, to], what moves leaves a body at rest no room beside what else holds it. A press flattens it
+/// instead.
+double leftWithoutRoom(const BodySlot& body, double from, double to) {
+    const auto& clear_of = body.phase.clear_of;
+    const auto& rest = std::get<Rest>(body.phase.motion);
+    const bool moves =
+        rest.surface.frame.moves() ||
+        std::any_of(clear_of.begin(), clear_of.end(), [](const KeptClear& kept) { return kept.surface.frame.moves(); });
+    const bool pressed =
+        std::any_of(clear_of.begin(), clear_of.end(), [](const KeptClear& kept) { return kept.presses; });
+    if (clear_of.empty() || !moves || pressed || from >= to) {
+        return kNever;
+    }
+    const double blocked = blockedAt(body.phase, *body.shape, from, to);
+    return blocked < to ? blocked : kNever;
+}
+
 /// When, within [from, to], nothing that a body at rest is kept clear of touches it any more.
 double pressLetsGo(const BodySlot& body, double from, double to) {
     if (body.phase.clear_of.empty()) {
@@ -149,7 +166,10 @@ Plan nextEvent(const Surroundings& around, BodySlot& body, double from, double t
                    ? plan
                    : otherwise(pushed_until, Plan::Kind::FlyOn);
     }
-    const double end = body.phase.end;
+    double end = body.phase.end;
+    if (std::holds_alternative<Rest>(body.phase.motion)) {
+        end = std::min(end, leftWithoutRoom(body, from, std::min(to, end)));
+    }
     if (meet(earliestNear(around, body, from, std::min(to, end)))) {
         return plan;
     }

@@ -16,7 +16,9 @@ namespace elastoon {
 
 namespace {
 
-constexpr int kMostAdvances = 100000;
+/// After so many looks, not all of them as far apart as is safe, but this share of the time at least.
+constexpr int kMostLooks = 20000;
+constexpr double kLeastStep = 1.0 / 4096.0;
 
 /// Of one half of an impact: how fast it turns (rad/s) and stretches (1/s) at most.
 struct HalfRates {
@@ -209,16 +211,21 @@ public:
           from_(from),
           to_(to),
           gap_(gap),
-          bounds_(heldBounds(phase, shape, from, to)),
           pose_(poseAt(phase, shape, from)),
           posed_at_(from) {
         const auto* impact = std::get_if<Impact>(&phase.motion);
         grid_ = impact != nullptr ? impact->curve.duration() / kLeastLooks : (to - from) / kLeastLooks;
         steep_ = impact != nullptr && impact->surface.solid;
+        // A half that takes hardly any time is fast: its bounds are its own.
+        const double middle = impact != nullptr ? impact->begun + impact->curve.t_in : from;
+        turns_at_ = middle > from && middle < to ? middle : to;
+        bounds_ = heldBounds(phase, shape, from, std::nextafter(turns_at_, from));
+        later_bounds_ = turns_at_ < to ? heldBounds(phase, shape, turns_at_, to) : bounds_;
+        reach_ = std::max(bounds_.reach, later_bounds_.reach);
     }
 
     void watch(const Watched& watched) {
-        if (!staysAway(phase_, watched, bounds_.reach, from_, to_, gap_)) {
+        if (!staysAway(phase_, watched, reach_, from_, to_, gap_)) {
             watches_.push_back({&watched, from_, from_, {}});
         }
     }
@@ -241,8 +248,11 @@ private:
     const Phase& phase_;
     const Shape& shape_;
     double from_, to_, gap_;
-    HeldBounds bounds_;
+    double turns_at_ = 0.0; ///< before it `bounds_` hold, from then on `later_bounds_`
+    HeldBounds bounds_, later_bounds_;
+    double reach_ = 0.0;
     double grid_ = 0.0;
+    int looks_ = 0;
     bool steep_ = false; ///< the bounds may be passed
     Pose pose_;
     double posed_at_;
@@ -250,21 +260,26 @@ private:
 };
 
 double Lookout::nextLook(const Watched& watched, const Pose& pose, double t, double distance) const {
-    const double arm = glm::length(pose.position - watched.frame.originAt(t)) + bounds_.reach +
-                       (watched.solid ? 0.0 : distance) + (to_ - t) * bounds_.speed;
+    const double until = t < turns_at_ ? turns_at_ : to_;
+    const HeldBounds& bounds = t < turns_at_ ? bounds_ : later_bounds_;
+    const double arm = glm::length(pose.position - watched.frame.originAt(t)) + bounds.reach +
+                       (watched.solid ? 0.0 : distance) + (until - t) * bounds.speed;
     const double speed =
-        bounds_.speed + glm::length(watched.frame.velocity) + glm::length(watched.frame.angular_velocity) * arm;
+        bounds.speed + glm::length(watched.frame.velocity) + glm::length(watched.frame.angular_velocity) * arm;
     double step = (distance - 0.5 * gap_) / speed;
-    if (steep_ && distance < bounds_.reach) {
+    if (steep_ && distance < bounds.reach) {
         step = std::min(step, grid_);
+    }
+    if (looks_ > kMostLooks) {
+        step = std::max(step, (to_ - from_) * kLeastStep);
     }
     // Onto the common grid, where it does not come to a stop.
     const double on_grid = from_ + grid_ * std::floor((t + step - from_) / grid_);
-    return on_grid > t ? on_grid : t + step;
+    return std::min(on_grid > t ? on_grid : std::max(t + step, std::nextafter(t, until)), until);
 }
 
 std::optional<Near> Lookout::run() {
-    for (int looks = 0; !watches_.empty() && looks < kMostAdvances; ++looks) {
+    for (; !watches_.empty(); ++looks_) {
         const auto next = std::min_element(watches_.begin(), watches_.end(), [](const Watch& a, const Watch& b) {
             return a.clear_until < b.clear_until;
         });
