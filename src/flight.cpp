@@ -211,7 +211,8 @@ FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from,
     const double flattest = eases ? std::min(1.0, flight.ease.stretch) : 1.0;
     const double along = longest * shape.reachAlong();
     const double across_reach = shape.reachAcross() / std::sqrt(flattest);
-    bounds.reach = std::sqrt(along * along + across_reach * across_reach);
+    bounds.reach = std::min(std::sqrt(along * along + across_reach * across_reach),
+                            shape.boundingRadius() * std::max(longest, 1.0 / std::sqrt(flattest)));
 
     const double k = flight.stretch_rate;
     const double damped = k * least_speed + 1.0;

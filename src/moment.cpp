@@ -43,6 +43,9 @@ double Moment::leastPartingSpeed(const Surface& surface) const {
 }
 
 void Moment::begin(Phase phase) {
+    if (std::holds_alternative<Flight>(phase.motion) && !phase.clear_of.empty()) {
+        phase.free_from = freeFrom(phase, *body_.shape);
+    }
     body_.phase = std::move(phase);
     body_.plan = {.version = around_.version, .met = nullptr};
     out_.phases.push_back({id_, body_.phase});

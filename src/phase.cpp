@@ -81,7 +81,8 @@ Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor) {
 }
 
 Pose poseAt(const Phase& phase, const Shape& shape, double t) {
-    return phase.clear_of.empty() ? ownPose(phase, shape, t) : keptClear(phase, shape, std::max(t, phase.start));
+    return phase.clear_of.empty() || t >= phase.free_from ? ownPose(phase, shape, t)
+                                                          : keptClear(phase, shape, std::max(t, phase.start));
 }
 
 Vec3 velocityAt(const Phase& phase, const Shape& shape, double t) {

@@ -500,6 +500,8 @@ void World::Impl::become(SnapshotState& state) {
     around.gravity = state.gravity;
     around.version = state.version;
     rebuildSurroundings(around, state.obstacles, time);
+    quiet_until.assign(bodies.size(), kNotQuiet);
+    matrices.allChanged();
     events.clear();
     phases.clear();
 }

@@ -178,6 +178,9 @@ const char* flawOf(const Path& path, double now) {
 } // namespace
 
 const char* flawOf(const Phase& phase, double now) {
+    if (std::isnan(phase.free_from)) {
+        return "the time from which on it is free must be a number";
+    }
     if (!isTime(phase.start) || phase.start > now) {
         return "a phase must have begun before now";
     }

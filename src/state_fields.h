@@ -124,7 +124,7 @@ inline constexpr std::size_t kKeptClearBytes = 189;
 
 template <class Stream>
 void fields(Stream& stream, Of<Phase> auto& phase) {
-    stream(phase.start, phase.end, phase.obstacle);
+    stream(phase.start, phase.end, phase.obstacle, phase.free_from);
     stream.sized(phase.clear_of, kKeptClearBytes);
     for (auto& kept : phase.clear_of) {
         fields(stream, kept);
@@ -133,7 +133,7 @@ void fields(Stream& stream, Of<Phase> auto& phase) {
     std::visit([&](auto& motion) { fields(stream, motion); }, phase.motion);
 }
 /// Of a slot's or a record's least: what counts are held against.
-inline constexpr std::size_t kPhaseBytes = 29;
+inline constexpr std::size_t kPhaseBytes = 37;
 
 template <class Stream>
 void fields(Stream& stream, Of<Event> auto& event) {

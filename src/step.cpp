@@ -240,13 +240,13 @@ void carryOut(const Plan& plan, const BodySlot& body, Moment moment) {
 
 } // namespace
 
-void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {
+double advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {
     double t = from;
     int at_once = 0;
     int events = 0;
     while (events < kMostEventsPerStep && at_once < kMostEventsAtOnce) {
         if (body.plan.version == around.version && body.plan.time > to && to <= body.plan.looked_until) {
-            return;
+            return std::min(body.plan.looked_until, std::nextafter(body.plan.time, -kNever));
         }
         if (body.plan.version != around.version || body.plan.time > to) {
             planAhead(around, body, t);
@@ -259,6 +259,7 @@ void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double f
         carryOut(plan, body, Moment(around, body, id, t, out));
     }
     Moment(around, body, id, t, out).settle();
+    return to;
 }
 
 } // namespace elastoon

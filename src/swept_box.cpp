@@ -112,6 +112,11 @@ namespace {
 /// Box of a body that is held by a surface.
 Box heldBox(const Phase& phase, const Shape& shape, double from, double to) {
     const HeldBounds bounds = heldBounds(phase, shape, from, to);
+    const double ball = ballAboutContact(phase, bounds.reach, to);
+    if (ball < bounds.reach + bounds.speed * (to - from)) {
+        const Vec3 contact = std::get<Impact>(phase.motion).surface.pointAt(from);
+        return grown({contact, contact}, ball);
+    }
     const Vec3 center = poseAt(phase, shape, from).position;
     return grown({center, center}, bounds.reach + bounds.speed * (to - from));
 }

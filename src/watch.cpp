@@ -138,6 +138,16 @@ HeldBounds heldBounds(const Phase& phase, const Shape& shape, double from, doubl
     return bounds;
 }
 
+double ballAboutContact(const Phase& phase, double reach, double to) {
+    const auto* impact = std::get_if<Impact>(&phase.motion);
+    if (impact == nullptr || !phase.clear_of.empty() || impact->surface.frame.moves()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    // The centroid is within one reach of the contact along the surface and across it, so within 1.42; and one on. Over
+    // a solid's edge it may be two lower.
+    return (impact->surface.solid ? 4.5 : 2.5) * reach + glm::length(impact->skims) * (to - impact->begun);
+}
+
 Distance distanceTo(const Watched& watched, const Shape& shape, const Pose& pose, double t, ClosestSeed& seed) {
     if (!watched.solid) {
         const Surface plane{watched.frame, Vec3(0.0), watched.normal, nullptr};
@@ -179,19 +189,34 @@ Touch stepBack(const Phase& phase, const Shape& shape, const Watched& watched, d
     }
 }
 
-/// The ball about the contact that an impact on something that stands cannot leave shows it.
+/// That nothing of the impact's body, which goes no further than `ball` from the contact, comes near to it.
+bool isBeyond(const Watched& watched, const Vec3& contact, double ball, double t) {
+    const Vec3 apart = contact - watched.frame.originAt(t);
+    return watched.solid ? glm::length(apart) > watched.solid->boundingRadius() + ball
+                         : glm::dot(watched.frame.orientationAt(t) * watched.normal, apart) > ball;
+}
+
+/// The same of a body that always touches the solid.
+bool isBeyondSolid(const Watched& watched, const Surface& surface, double ball, double t) {
+    const Vec3 center = surface.frame.originAt(t);
+    if (watched.solid) {
+        return isBeyond(watched, center, surface.solid->boundingRadius() + ball, t);
+    }
+    const Vec3 normal = watched.frame.orientationAt(t) * watched.normal;
+    const Vec3 down = glm::conjugate(surface.frame.orientationAt(t)) * -normal;
+    const double reach = glm::dot(down, surface.solid->vertices()[surface.solid->supportVertex(down)]);
+    return glm::dot(normal, center - watched.frame.originAt(t)) - reach > ball;
+}
+
+/// The balls that an impact on something that stands cannot leave show it.
 bool staysAway(const Phase& phase, const Watched& watched, double reach, double from, double to, double gap) {
-    const auto* impact = std::get_if<Impact>(&phase.motion);
-    if (impact == nullptr || !phase.clear_of.empty() || impact->surface.frame.moves() || watched.frame.moves()) {
+    const double ball = ballAboutContact(phase, reach, to) + gap;
+    if (watched.frame.moves() || ball == std::numeric_limits<double>::infinity()) {
         return false;
     }
-    // The centroid is within one reach of the contact along the surface and across it, so within 1.42; and one on. Over
-    // a solid's edge it may be two lower.
-    const double ball = (impact->surface.solid ? 4.5 : 2.5) * reach + glm::length(impact->skims) * (to - impact->begun);
-    const Vec3 contact = impact->surface.pointAt(from);
-    const Vec3 apart = contact - watched.frame.originAt(from);
-    return watched.solid ? glm::length(apart) > watched.solid->boundingRadius() + ball + gap
-                         : glm::dot(watched.frame.orientationAt(from) * watched.normal, apart) > ball + gap;
+    const Surface& surface = std::get<Impact>(phase.motion).surface;
+    return isBeyond(watched, surface.pointAt(from), ball, from) ||
+           (surface.solid && isBeyondSolid(watched, surface, 2.0 * reach + gap, from));
 }
 
 /// One of those that are watched.
