@@ -307,16 +307,27 @@ Vec3 centerLine(const Pose& pose, const Vec3& solid_center) {
     return length > 0.0 ? between / length : Vec3(0.0, 1.0, 0.0);
 }
 
-/// The bounding balls' ways show that they do not meet within [from, to].
-bool ballsMiss(const Phase& phase, const Shape& shape, const Shape& solid, const MovingFrame& frame, double from,
-               double to) {
+/// Until when the bounding balls' ways show that the two do not meet, within [from, to]; at least `from`.
+double ballsApartUntil(const Phase& phase, const Shape& shape, const Shape& solid, const MovingFrame& frame,
+                       double from, double to) {
     const auto& flight = std::get<Flight>(phase.motion);
     const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
-    const double way = (bounds.speed + glm::length(frame.velocity)) * (to - from);
-    const double push = phase.clear_of.empty() ? 0.0 : 4.0 * pushGain(phase, from) * bounds.reach;
-    const double reach = bounds.reach + solid.boundingRadius() + way + push;
-    const Vec3 between = unpushedPose(flight, from - phase.start).position - frame.originAt(from);
-    return glm::dot(between, between) > reach * reach;
+    const double speed = bounds.speed + glm::length(frame.velocity);
+    const bool pushed = !phase.clear_of.empty() && from < phase.free_from;
+    const double reach =
+        bounds.reach + solid.boundingRadius() + (pushed ? 4.0 * pushGain(phase, from) * bounds.reach : 0.0);
+    constexpr int kMostLooks = 16;
+    double t = from;
+    for (int i = 0; i < kMostLooks && t < to; ++i) {
+        const double elapsed = t - phase.start;
+        const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
+        const double apart = glm::length(position - frame.originAt(t)) - reach;
+        if (!(apart > 0.01 * reach)) {
+            break;
+        }
+        t += apart / speed;
+    }
+    return std::min(t, to);
 }
 
 /// Directions in which a body that touches a solid may lie from it.
@@ -332,12 +343,12 @@ std::vector<Vec3> hintsOf(const Phase& phase, const Pose& pose, const MovingFram
 
 std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, const ShapePtr& solid,
                                      const MovingFrame& frame, double from, double to, ClosestSeed& seed) {
-    if (ballsMiss(flight, shape, *solid, frame, from, to)) {
+    double t = ballsApartUntil(flight, shape, *solid, frame, from, to);
+    if (t >= to && to > from) {
         return std::nullopt;
     }
     // A plane between the two keeps them apart until the body touches it; then a better plane is sought.
     Surface plane;
-    double t = from;
     for (int i = 0; i < kMostAdvances; ++i) {
         const Pose pose = poseAt(flight, shape, t);
         const Closest closest = closestPoints(posed(shape, pose), posed(solid, frame, t), seed);
