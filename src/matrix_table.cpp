@@ -15,7 +15,7 @@ constexpr std::size_t kLanes = FlightLanes::kCount;
 using Columns = std::array<std::array<float, kLanes>, MatrixTable::kFloats>;
 
 void setLane(FlightLanes& lanes, std::size_t lane, const Phase& phase) {
-    const auto& flight = std::get<Flight>(phase.motion);
+    const auto& flight = phase.get<Flight>();
     const bool turns = flight.rule != AxisRule::Fixed && flight.speed_across > 0.0;
     lanes.start[lane] = phase.start;
     lanes.climb[lane] = glm::dot(flight.velocity, flight.up);
@@ -138,14 +138,15 @@ void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
         return;
     }
     block.kinds[lane] = Kind::Posed;
-    if (const auto* flight = std::get_if<Flight>(&body.phase.motion)) {
+    if (const auto* flight = body.phase.as<Flight>()) {
         constexpr double kAfter = 1e-9; ///< s, past all doubt of rounding
         block.kinds[lane] = Kind::Lane;
         const Phase& phase = body.phase;
-        block.lane_from[lane] = std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
-                                         flight->ease.span > 0.0 ? phase.start + flight->ease.span + kAfter : phase.start);
+        block.lane_from[lane] =
+            std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
+                     flight->ease.span > 0.0 ? phase.start + flight->ease.span + kAfter : phase.start);
         setLane(block.lanes, lane, body.phase);
-    } else if (const auto* rest = std::get_if<Rest>(&body.phase.motion)) {
+    } else if (const auto* rest = body.phase.as<Rest>()) {
         if (!rest->surface.frame.moves() && body.phase.clear_of.empty()) {
             writePose(slot, body, t);
             block.kinds[lane] = Kind::Written;

@@ -65,9 +65,10 @@ public:
         std::uint8_t count = 0;
         seeds = {};
         stream(count, seeds.uses_);
-        if (count > seeds.pairs_.size()) {
+        if (count > PairSeeds::kMost) {
             return "a body has at most 4 seeds";
         }
+        seeds.pairs_.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             auto& pair = seeds.pairs_[i];
             stream(pair.solid, pair.last_use);
@@ -107,14 +108,14 @@ bool fitsPhase(Plan::Kind kind, const Phase& phase) {
     case Plan::Kind::Meet:
         return true;
     case Plan::Kind::FlyOn:
-        return std::holds_alternative<Flight>(phase.motion);
+        return phase.is<Flight>();
     case Plan::Kind::EndSlide:
-        return std::holds_alternative<Slide>(phase.motion);
+        return phase.is<Slide>();
     case Plan::Kind::EndImpact:
-        return std::holds_alternative<Impact>(phase.motion);
+        return phase.is<Impact>();
     case Plan::Kind::PressLetGo:
     case Plan::Kind::Wake:
-        return std::holds_alternative<Rest>(phase.motion);
+        return phase.is<Rest>();
     }
     return false;
 }
@@ -277,7 +278,8 @@ std::optional<Error> StateParser::readObstacles() {
 /// Most styles are those of the body before, or those that the world has already: checking ranges takes longer.
 bool StateParser::isCheckedStyle(const Style& style, std::size_t index) const {
     return (checked_ != nullptr && style == *checked_) ||
-           (index < bodies_now_.size() && bodies_now_[index].used && style == bodies_now_[index].style);
+           (index < bodies_now_.size() && bodies_now_[index].used &&
+            style == static_cast<const Style&>(bodies_now_[index].style));
 }
 
 std::optional<Error> StateParser::readBody(std::size_t index) {
@@ -296,7 +298,7 @@ std::optional<Error> StateParser::readBody(std::size_t index) {
             return wrong(error->text());
         }
     }
-    checked_ = &slot.style;
+    checked_ = &static_cast<const Style&>(slot.style);
     if (const char* flaw = flawOf(slot.phase, state_.time)) {
         return wrong(flaw);
     }

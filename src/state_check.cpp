@@ -196,7 +196,13 @@ const char* flawOf(const Phase& phase, double now) {
             return "what a body is kept clear of must have times";
         }
     }
-    return std::visit([&](const auto& motion) { return flawOf(motion, now); }, phase.motion);
+    if (const auto* impact = phase.as<Impact>()) {
+        return flawOf(*impact, now);
+    }
+    if (const auto* slide = phase.as<Slide>()) {
+        return flawOf(*slide, now);
+    }
+    return phase.is<Rest>() ? flawOf(phase.get<Rest>(), now) : flawOf(phase.get<Flight>(), now);
 }
 
 const char* flawOf(const Event& event) {

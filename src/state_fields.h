@@ -69,6 +69,20 @@ void fields(Stream& stream, Of<Style> auto& style) {
 }
 
 template <class Stream>
+void fields(Stream& stream, const SharedStyle& style) {
+    fields(stream, static_cast<const Style&>(style));
+}
+
+template <class Stream>
+void fields(Stream& stream, SharedStyle& style) {
+    Style read;
+    fields(stream, read);
+    if (!(read == static_cast<const Style&>(style))) {
+        style = read;
+    }
+}
+
+template <class Stream>
 void fields(Stream& stream, Of<MovingFrame> auto& frame) {
     stream(frame.start, frame.origin, frame.orientation, frame.velocity, frame.angular_velocity);
 }
@@ -113,6 +127,16 @@ void fields(Stream& stream, Of<Slide> auto& slide) {
     stream(slide.begun, slide.foot, slide.direction, slide.velocity, slide.acceleration, slide.orientation,
            slide.max_stretch, slide.stretch_rate);
     fields(stream, slide.ease);
+}
+
+template <class Stream>
+void fields(Stream& stream, Of<Boxed<Impact>> auto& impact) {
+    fields(stream, *impact);
+}
+
+template <class Stream>
+void fields(Stream& stream, Of<Boxed<Slide>> auto& slide) {
+    fields(stream, *slide);
 }
 
 template <class Stream>

@@ -9,7 +9,6 @@
 #include "path.h"
 #include "watch.h"
 
-#include <array>
 #include <limits>
 #include <memory>
 #include <span>
@@ -21,7 +20,9 @@ namespace elastoon {
 /// the body, so that a copy goes on with the same bits.
 class PairSeeds {
 public:
-    /// The pair's own; a new one in place of the one that has been longest unused.
+    static constexpr std::size_t kMost = 4;
+
+    /// The pair's own; a new one, in place of the one that has been longest unused where there are many.
     ClosestSeed& of(ObstacleId solid) {
         std::size_t oldest = 0;
         for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -30,6 +31,10 @@ public:
                 return pairs_[i].seed;
             }
             oldest = pairs_[i].last_use < pairs_[oldest].last_use ? i : oldest;
+        }
+        if (pairs_.size() < kMost) {
+            oldest = pairs_.size();
+            pairs_.emplace_back();
         }
         pairs_[oldest] = {solid, ++uses_, {}};
         return pairs_[oldest].seed;
@@ -42,8 +47,26 @@ private:
         std::uint64_t last_use = 0;
         ClosestSeed seed;
     };
-    std::array<Pair, 4> pairs_{};
+    std::vector<Pair> pairs_;
     std::uint64_t uses_ = 0;
+};
+
+/// A style that many bodies have: those that are made one after another with the same share it.
+class SharedStyle {
+public:
+    SharedStyle() : SharedStyle(Style{}) {}
+    SharedStyle(const Style& style) {
+        thread_local std::shared_ptr<const Style> last;
+        if (!last || !(*last == style)) {
+            last = std::make_shared<const Style>(style);
+        }
+        style_ = last;
+    }
+    operator const Style&() const { return *style_; }
+    const Style* operator->() const { return style_.get(); }
+
+private:
+    std::shared_ptr<const Style> style_;
 };
 
 /// A touch, and whose surface it is.
@@ -69,7 +92,7 @@ struct BodySlot {
     std::uint32_t generation = 0;
     bool used = false;
     ShapePtr shape;
-    Style style;
+    SharedStyle style;
     Phase phase;
     PairSeeds seeds;
     Plan plan;

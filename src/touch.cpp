@@ -217,7 +217,7 @@ std::optional<double> advance(const Approach& approach, double from, double to) 
 
 std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface, double from,
                                  double to) {
-    const Approach approach{flight, std::get<Flight>(flight.motion), shape, surface};
+    const Approach approach{flight, flight.get<Flight>(), shape, surface};
     // While it is pushed it has no simple way; that lasts a short time only.
     if (!flight.clear_of.empty() && flight.free_from > from && flight.free_from < to) {
         if (const auto touch = advance(approach, from, flight.free_from)) {
@@ -310,7 +310,7 @@ Vec3 centerLine(const Pose& pose, const Vec3& solid_center) {
 /// Until when the bounding balls' ways show that the two do not meet, within [from, to]; at least `from`.
 double ballsApartUntil(const Phase& phase, const Shape& shape, const Shape& solid, const MovingFrame& frame,
                        double from, double to) {
-    const auto& flight = std::get<Flight>(phase.motion);
+    const auto& flight = phase.get<Flight>();
     const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
     const double speed = bounds.speed + glm::length(frame.velocity);
     const bool pushed = !phase.clear_of.empty() && from < phase.free_from;

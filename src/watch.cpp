@@ -103,13 +103,13 @@ HeldBounds slideBounds(const Slide& slide, const Shape& shape, double from, doub
 }
 
 HeldBounds ownBounds(const Phase& phase, const Shape& shape, double from, double to) {
-    if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
+    if (const auto* impact = phase.as<Impact>()) {
         return impactBounds(*impact, shape, from, to);
     }
-    if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
+    if (const auto* slide = phase.as<Slide>()) {
         return slideBounds(*slide, shape, from, to);
     }
-    return restBounds(std::get<Rest>(phase.motion), shape);
+    return restBounds(phase.get<Rest>(), shape);
 }
 
 /// The solid's supporting plane across `normal` (world).
@@ -139,7 +139,7 @@ HeldBounds heldBounds(const Phase& phase, const Shape& shape, double from, doubl
 }
 
 double ballAboutContact(const Phase& phase, double reach, double to) {
-    const auto* impact = std::get_if<Impact>(&phase.motion);
+    const auto* impact = phase.as<Impact>();
     const auto presses = [](const KeptClear& kept) { return kept.presses; };
     if (impact == nullptr || impact->surface.frame.moves() ||
         std::any_of(phase.clear_of.begin(), phase.clear_of.end(), presses)) {
@@ -218,7 +218,7 @@ bool staysAway(const Phase& phase, const Watched& watched, double reach, double 
     if (watched.frame.moves() || ball == std::numeric_limits<double>::infinity()) {
         return false;
     }
-    const Surface& surface = std::get<Impact>(phase.motion).surface;
+    const Surface& surface = phase.get<Impact>().surface;
     return isBeyond(watched, surface.pointAt(from), ball, from) ||
            (surface.solid && isBeyondSolid(watched, surface, 2.0 * reach + gap, from));
 }
@@ -275,7 +275,7 @@ public:
           gap_(gap),
           pose_(poseAt(phase, shape, from)),
           posed_at_(from) {
-        const auto* impact = std::get_if<Impact>(&phase.motion);
+        const auto* impact = phase.as<Impact>();
         grid_ = impact != nullptr ? impact->curve.duration() / kLeastLooks : (to - from) / kLeastLooks;
         steep_ = impact != nullptr && impact->surface.solid;
         // A half that takes hardly any time is fast: its bounds are its own.
@@ -325,7 +325,7 @@ private:
 /// Until when an impact's body that is not pushed goes no further than `allowed`, besides what goes at `speed`; a time
 /// up to `until`, in the half in which t is.
 double Lookout::reachedBy(const Watched& watched, double t, double until, double allowed, double speed) const {
-    const auto& impact = std::get<Impact>(phase_.motion);
+    const auto& impact = phase_.get<Impact>();
     ImpactWay way(impact, shape_, reach_);
     way.startAt(t);
     const bool plane_stands = !watched.solid && watched.frame.angular_velocity == Vec3(0.0);
@@ -352,7 +352,7 @@ double Lookout::nextLook(const Watched& watched, const Pose& pose, double t, dou
     const double closing = glm::length(watched.frame.velocity) + glm::length(watched.frame.angular_velocity) * arm;
     const double allowed = distance - 0.5 * gap_;
     double next = t + allowed / (bounds.speed + closing);
-    const auto* impact = std::get_if<Impact>(&phase_.motion);
+    const auto* impact = phase_.as<Impact>();
     if (impact != nullptr && phase_.clear_of.empty() && !impact->surface.frame.moves()) {
         next = std::max(next, reachedBy(watched, t, until, allowed, closing + glm::length(impact->skims)));
     }
