@@ -18,14 +18,14 @@ void setLane(FlightLanes& lanes, std::size_t lane, const Phase& phase) {
     const auto& flight = phase.get<Flight>();
     const bool turns = flight.rule != AxisRule::Fixed && flight.speed_across > 0.0;
     lanes.start[lane] = phase.start;
-    lanes.climb[lane] = glm::dot(flight.velocity, flight.up);
-    lanes.pull[lane] = glm::length(flight.gravity);
+    lanes.climb[lane] = flight.climb;
+    lanes.pull[lane] = flight.pull;
     lanes.stretch_rate[lane] = flight.stretch_rate;
     lanes.max_stretch[lane] = flight.max_stretch;
     // Negative: the axis is laid along the velocity. One that does not turn is a reversal straight up.
     lanes.across[lane] = turns ? flight.speed_across : 0.0;
     lanes.reversal_speed[lane] = !turns ? 1.0 : flight.rule == AxisRule::Reversal ? flight.reversal_speed : -1.0;
-    const Vec3 axis = turns ? glm::cross(flight.up, flight.across) : Vec3(0.0);
+    const Vec3 axis = turns ? flight.turn_axis : Vec3(0.0);
     for (int k = 0; k < 3; ++k) {
         const auto row = static_cast<std::size_t>(k);
         lanes.position[row][lane] = flight.position[k];
@@ -145,7 +145,6 @@ void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
         block.lane_from[lane] =
             std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
                      flight->ease.span > 0.0 ? phase.start + flight->ease.span + kAfter : phase.start);
-        setLane(block.lanes, lane, body.phase);
     } else if (const auto* rest = body.phase.as<Rest>()) {
         if (!rest->surface.frame.moves() && body.phase.clear_of.empty()) {
             writePose(slot, body, t);
@@ -183,9 +182,13 @@ void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<Body
     const std::size_t count = std::min(kLanes, bodies.size() - first);
     std::array<bool, kLanes> by_lane{};
     bool any = false;
+    FlightLanes lanes;
     for (std::size_t i = 0; i < count; ++i) {
         by_lane[i] = block.kinds[i] == Kind::Lane && t >= block.lane_from[i];
         any = any || by_lane[i];
+        if (by_lane[i]) {
+            setLane(lanes, i, bodies[first + i].phase);
+        }
         if (!by_lane[i] && block.kinds[i] != Kind::Written) {
             writePose(first + i, bodies[first + i], t);
         }
@@ -194,7 +197,7 @@ void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<Body
         return;
     }
     Columns columns;
-    poseLanes(block.lanes, t, columns);
+    poseLanes(lanes, t, columns);
     for (std::size_t i = 0; i < count; ++i) {
         if (by_lane[i]) {
             float* out = &matrices_[kFloats * (first + i)];

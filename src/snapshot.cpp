@@ -28,7 +28,7 @@ Error unsound(const std::string& where, const std::string& what) {
 struct SnapshotState {
     double time = 0.0;
     Vec3 gravity{0.0};
-    std::uint64_t version = 0;
+    std::uint32_t version = 0;
     std::vector<std::uint32_t> free_obstacles, free_bodies;
     std::vector<ObstacleSlot> obstacles;
     std::vector<BodySlot> bodies;
@@ -52,7 +52,7 @@ public:
         while (count < seeds.pairs_.size() && seeds.pairs_[count].last_use != 0) {
             ++count;
         }
-        stream(count, seeds.uses_);
+        stream(count);
         for (std::size_t i = 0; i < count; ++i) {
             const auto& pair = seeds.pairs_[i];
             stream(pair.solid, pair.last_use);
@@ -64,7 +64,7 @@ public:
                             const Shape& shape) {
         std::uint8_t count = 0;
         seeds = {};
-        stream(count, seeds.uses_);
+        stream(count);
         if (count > PairSeeds::kMost) {
             return "a body has at most 4 seeds";
         }
@@ -79,8 +79,9 @@ public:
             } else if (const char* flaw = flawOf(pair.seed, shape, *solid)) {
                 return flaw;
             }
-            if (pair.last_use == 0 || pair.last_use > seeds.uses_) {
-                return "a seed's last use must be one of those counted";
+            constexpr std::uint64_t kMostUses = std::uint64_t{1} << 62;
+            if (pair.last_use == 0 || pair.last_use > kMostUses) {
+                return "a seed's last use must be from 1 to 2^62";
             }
         }
         return nullptr;

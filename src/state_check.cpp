@@ -82,8 +82,11 @@ const char* flawOf(const Flight& flight, double /*now*/) {
         !within(flight.gravity, 2.0 * kMostGravity)) {
         return "a flight must be within 1e15 m and 1e8 m/s, its gravity within 1e6 m/s^2";
     }
-    if (!isUnit(flight.orientation) || !isUnit(flight.up) || !isUnit(flight.across)) {
+    if (!isUnit(flight.orientation) || !isUnit(flight.up) || !isUnit(flight.turn_axis)) {
         return "a flight's orientation and directions must be unit";
+    }
+    if (!within(flight.climb, -kFastest, kFastest) || !within(flight.pull, 0.0, 2.0 * kMostGravity)) {
+        return "a flight's climb and pull must be those of its velocity and gravity";
     }
     const double speed = glm::length(flight.velocity);
     if (!within(flight.speed_across, 0.0, speed * (1.0 + kUnit)) || !within(flight.reversal_speed, 0.0, kFastest)) {

@@ -101,8 +101,9 @@ void fields(Stream& stream, Of<Ease> auto& ease) {
 
 template <class Stream>
 void fields(Stream& stream, Of<Flight> auto& flight) {
-    stream(flight.position, flight.velocity, flight.gravity, flight.orientation, flight.up, flight.across,
-           flight.speed_across, flight.reversal_speed, flight.max_stretch, flight.stretch_rate, flight.rule);
+    stream(flight.position, flight.velocity, flight.gravity, flight.orientation, flight.up, flight.turn_axis,
+           flight.climb, flight.pull, flight.speed_across, flight.reversal_speed, flight.max_stretch,
+           flight.stretch_rate, flight.rule);
     fields(stream, flight.ease);
 }
 

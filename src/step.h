@@ -9,6 +9,7 @@
 #include "path.h"
 #include "watch.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <span>
@@ -27,7 +28,7 @@ public:
         std::size_t oldest = 0;
         for (std::size_t i = 0; i < pairs_.size(); ++i) {
             if (pairs_[i].solid == solid) {
-                pairs_[i].last_use = ++uses_;
+                pairs_[i].last_use = nextUse();
                 return pairs_[i].seed;
             }
             oldest = pairs_[i].last_use < pairs_[oldest].last_use ? i : oldest;
@@ -36,7 +37,7 @@ public:
             oldest = pairs_.size();
             pairs_.emplace_back();
         }
-        pairs_[oldest] = {solid, ++uses_, {}};
+        pairs_[oldest] = {solid, nextUse(), {}};
         return pairs_[oldest].seed;
     }
 
@@ -47,8 +48,14 @@ private:
         std::uint64_t last_use = 0;
         ClosestSeed seed;
     };
+    [[nodiscard]] std::uint64_t nextUse() const {
+        std::uint64_t last = 0;
+        for (const Pair& pair : pairs_) {
+            last = std::max(last, pair.last_use);
+        }
+        return last + 1;
+    }
     std::vector<Pair> pairs_;
-    std::uint64_t uses_ = 0;
 };
 
 /// A style that many bodies have: those that are made one after another with the same share it.
@@ -83,7 +90,7 @@ struct Plan {
     double looked_until = -std::numeric_limits<double>::infinity(); ///< nothing else happens until then
     double time = std::numeric_limits<double>::infinity();
     double window = 0.0; ///< the phase's time is looked at in windows of kAhead: which of them
-    std::uint64_t version = 0; ///< of the surroundings
+    std::uint32_t version = 0; ///< of the surroundings
     Kind kind = Kind::Meet;
     std::shared_ptr<const Met> met; ///< of Meet
 };
@@ -123,7 +130,7 @@ struct Surroundings {
     std::vector<std::size_t> moving_planes; ///< slots, ascending
     std::vector<std::size_t> moving_solids; ///< slots, ascending
     std::vector<std::size_t> on_paths; ///< slots, ascending
-    std::uint64_t version = 0; ///< counts the changes
+    std::uint32_t version = 0; ///< counts the changes
     ObstacleTree solids; ///< boxes that hold now, and in a step through all of it and kAhead s more
 
     [[nodiscard]] bool anyMoves() const { return !moving_planes.empty() || !moving_solids.empty(); }

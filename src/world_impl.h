@@ -23,7 +23,7 @@ struct World::Impl {
     /// By body slot: nothing happens to the body until then, in surroundings of version `quiet_version`. A copy of what
     /// its plan says, for the step to run over.
     std::vector<double> quiet_until;
-    std::uint64_t quiet_version = 0;
+    std::uint32_t quiet_version = 0;
     static constexpr double kNotQuiet = -std::numeric_limits<double>::infinity();
     MatrixTable matrices;
     std::vector<std::uint32_t> free_bodies, free_obstacles;
