@@ -131,7 +131,7 @@ TEST(LineContact, BodiesOverEdgesAndCorners) {
     });
 }
 
-/// The line leaves the difference by a vertex, an edge, or a diagonal of a face, to within rounding.
+/// The line leaves the difference by a vertex, an edge, or a diagonal of a face, to within rounding or a hair more.
 TEST(LineContact, LinesThroughVerticesAndEdges) {
     checkAll(9, kTolerance, 10.0, [](Random& r) {
         LineCase c{randomPair(r, solids().all)};
@@ -156,6 +156,9 @@ TEST(LineContact, LinesThroughVerticesAndEdges) {
         // The difference leaves by the way from the inside; a moves against it.
         c.line = glm::normalize(inside - exit);
         c.pair.a.position = b.position - exit + r.uniform(-3.0, 3.0) * c.line;
+        if (r.below(2) == 0) {
+            c.pair.a.position += r.direction() * std::pow(10.0, r.uniform(-16.0, -6.0));
+        }
         return c;
     });
 }
