@@ -4,8 +4,8 @@
 
 #include "contact.h"
 #include "flight.h"
-#include "gjk.h"
 #include "impact.h"
+#include "line_contact.h"
 
 #include <algorithm>
 #include <array>

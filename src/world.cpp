@@ -4,7 +4,7 @@
 
 #include "check_input.h"
 #include "contact.h"
-#include "gjk.h"
+#include "line_contact.h"
 #include "hash.h"
 #include "impact.h"
 #include "rotation.h"
