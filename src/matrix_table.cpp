@@ -19,31 +19,32 @@ void setLane(FlightLanes& lanes, std::size_t lane, const Phase& phase) {
     const bool turns = flight.rule != AxisRule::Fixed && flight.speed_across > 0.0;
     lanes.start[lane] = phase.start;
     lanes.climb[lane] = flight.climb;
-    lanes.pull[lane] = flight.pull;
     lanes.stretch_rate[lane] = flight.stretch_rate;
     lanes.max_stretch[lane] = flight.max_stretch;
     // Negative: the axis is laid along the velocity. One that does not turn is a reversal straight up.
     lanes.across[lane] = turns ? flight.speed_across : 0.0;
     lanes.reversal_speed[lane] = !turns ? 1.0 : flight.rule == AxisRule::Reversal ? flight.reversal_speed : -1.0;
     const Vec3 axis = turns ? flight.turn_axis : Vec3(0.0);
-    for (int k = 0; k < 3; ++k) {
-        const auto row = static_cast<std::size_t>(k);
-        lanes.position[row][lane] = flight.position[k];
-        lanes.velocity[row][lane] = flight.velocity[k];
-        lanes.gravity[row][lane] = flight.gravity[k];
-        lanes.axis[row][lane] = axis[k];
-    }
-    const Quat& q = flight.orientation;
-    for (std::size_t k = 0; k < 4; ++k) {
-        lanes.orientation[k][lane] = std::array{q.w, q.x, q.y, q.z}[k];
-    }
+    const auto put = [lane](std::array<FlightLanes::Row, 3>& rows, const Vec3& from) {
+        rows[0][lane] = from.x;
+        rows[1][lane] = from.y;
+        rows[2][lane] = from.z;
+    };
+    put(lanes.position, flight.position);
+    put(lanes.velocity, flight.velocity);
+    put(lanes.axis, axis);
+    lanes.orientation[0][lane] = flight.orientation.w;
+    lanes.orientation[1][lane] = flight.orientation.x;
+    lanes.orientation[2][lane] = flight.orientation.y;
+    lanes.orientation[3][lane] = flight.orientation.z;
 }
 
-[[gnu::always_inline]] inline void poseLanesHere(const FlightLanes& in, double t, Columns& out) {
+[[gnu::always_inline]] inline void poseLanesHere(const FlightLanes& in, const Vec3& gravity, double t, Columns& out) {
+    const double gx = gravity.x, gy = gravity.y, gz = gravity.z;
+    const double pull = glm::length(gravity);
     for (std::size_t i = 0; i < kLanes; ++i) {
         const double elapsed = t - in.start[i];
         const double half = 0.5 * elapsed;
-        const double gx = in.gravity[0][i], gy = in.gravity[1][i], gz = in.gravity[2][i];
         const double vx = in.velocity[0][i], vy = in.velocity[1][i], vz = in.velocity[2][i];
         const double wx = vx + gx * elapsed, wy = vy + gy * elapsed, wz = vz + gz * elapsed;
         const double scaled = in.stretch_rate[i] * std::sqrt(wx * wx + wy * wy + wz * wz);
@@ -53,7 +54,7 @@ void setLane(FlightLanes& lanes, std::size_t lane, const Phase& phase) {
         const double across = in.across[i];
         const double e = in.reversal_speed[i];
         const double climb_0 = in.climb[i];
-        const double climb_t = climb_0 - in.pull[i] * elapsed;
+        const double climb_t = climb_0 - pull * elapsed;
         const bool along_velocity = e < 0.0;
         const double raw_up_0 = along_velocity ? climb_0 : climb_0 * climb_0 + e * e;
         const double raw_across_0 = along_velocity ? across : climb_0 * across;
@@ -101,17 +102,17 @@ void setLane(FlightLanes& lanes, std::size_t lane, const Phase& phase) {
 
 #if defined(__x86_64__)
 // Wider registers where there are some; no fused operations, so that the bits are the same.
-[[gnu::target("avx2")]] void poseLanesWide(const FlightLanes& in, double t, Columns& out) {
-    poseLanesHere(in, t, out);
+[[gnu::target("avx2")]] void poseLanesWide(const FlightLanes& in, const Vec3& gravity, double t, Columns& out) {
+    poseLanesHere(in, gravity, t, out);
 }
 
-void poseLanes(const FlightLanes& in, double t, Columns& out) {
+void poseLanes(const FlightLanes& in, const Vec3& gravity, double t, Columns& out) {
     static const bool kWide = __builtin_cpu_supports("avx2");
-    kWide ? poseLanesWide(in, t, out) : poseLanesHere(in, t, out);
+    kWide ? poseLanesWide(in, gravity, t, out) : poseLanesHere(in, gravity, t, out);
 }
 #else
-void poseLanes(const FlightLanes& in, double t, Columns& out) {
-    poseLanesHere(in, t, out);
+void poseLanes(const FlightLanes& in, const Vec3& gravity, double t, Columns& out) {
+    poseLanesHere(in, gravity, t, out);
 }
 #endif
 
@@ -138,7 +139,7 @@ void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
         return;
     }
     block.kinds[lane] = Kind::Posed;
-    if (const auto* flight = body.phase.as<Flight>()) {
+    if (const auto* flight = body.phase.as<Flight>(); flight != nullptr && flight->gravity == gravity_) {
         constexpr double kAfter = 1e-9; ///< s, past all doubt of rounding
         block.kinds[lane] = Kind::Lane;
         const Phase& phase = body.phase;
@@ -153,8 +154,10 @@ void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
     }
 }
 
-void MatrixTable::takeChanges(double t, const std::vector<BodySlot>& bodies) {
+void MatrixTable::takeChanges(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity) {
     in_use_ = true;
+    all_changed_ = all_changed_ || gravity != gravity_;
+    gravity_ = gravity;
     if (blocks_.size() * kLanes < bodies.size()) {
         blocks_.resize((bodies.size() + kLanes - 1) / kLanes);
     }
@@ -197,7 +200,7 @@ void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<Body
         return;
     }
     Columns columns;
-    poseLanes(lanes, t, columns);
+    poseLanes(lanes, gravity_, t, columns);
     for (std::size_t i = 0; i < count; ++i) {
         if (by_lane[i]) {
             float* out = &matrices_[kFloats * (first + i)];
@@ -208,8 +211,9 @@ void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<Body
     }
 }
 
-std::span<const float> MatrixTable::at(double t, const std::vector<BodySlot>& bodies, const ParallelFor& parallel_for) {
-    takeChanges(t, bodies);
+std::span<const float> MatrixTable::at(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity,
+                                       const ParallelFor& parallel_for) {
+    takeChanges(t, bodies, gravity);
     const auto writeBlocks = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             writeBlock(i, t, bodies);

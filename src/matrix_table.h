@@ -15,8 +15,8 @@ namespace elastoon {
 struct FlightLanes {
     static constexpr std::size_t kCount = 16;
     using Row = std::array<double, kCount>;
-    Row start, climb, across, reversal_speed, stretch_rate, max_stretch, pull;
-    std::array<Row, 3> position, velocity, gravity, axis;
+    Row start, climb, across, reversal_speed, stretch_rate, max_stretch;
+    std::array<Row, 3> position, velocity, axis;
     std::array<Row, 4> orientation; ///< w, x, y, z
 };
 
@@ -31,7 +31,8 @@ public:
     void allChanged() { all_changed_ = true; }
     /// 12 floats a slot, as they are at time t: the columns of the linear part, then the position; 0 where there is no
     /// body. The same bits as from poseAt().
-    std::span<const float> at(double t, const std::vector<BodySlot>& bodies, const ParallelFor& parallel_for);
+    std::span<const float> at(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity,
+                              const ParallelFor& parallel_for);
 
 private:
     enum class Kind : std::uint8_t {
@@ -44,12 +45,13 @@ private:
         std::array<Kind, FlightLanes::kCount> kinds{};
     };
     void take(std::size_t slot, const BodySlot& body, double t);
-    void takeChanges(double t, const std::vector<BodySlot>& bodies);
+    void takeChanges(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity);
     void writeBlock(std::size_t index, double t, const std::vector<BodySlot>& bodies);
     void writePose(std::size_t slot, const BodySlot& body, double t);
 
     bool in_use_ = false;
     bool all_changed_ = true;
+    Vec3 gravity_{0.0}; ///< that of the flights in lanes
     std::vector<std::uint32_t> changed_;
     std::vector<Block> blocks_;
     std::vector<float> matrices_;

@@ -4,9 +4,9 @@
 
 #include "check_input.h"
 #include "contact.h"
-#include "line_contact.h"
 #include "hash.h"
 #include "impact.h"
+#include "line_contact.h"
 #include "rotation.h"
 #include "world_impl.h"
 
@@ -370,7 +370,7 @@ Pose World::pose(BodyId id) const {
 }
 
 std::span<const float> World::matrices() {
-    return impl_->matrices.at(impl_->time, impl_->bodies, impl_->parallel_for);
+    return impl_->matrices.at(impl_->time, impl_->bodies, impl_->around.gravity, impl_->parallel_for);
 }
 
 Vec3 World::velocity(BodyId id) const {

@@ -67,7 +67,6 @@ struct Flight {
     Vec3 velocity{0.0}; ///< at start
     Vec3 gravity{0.0};
     Quat orientation{kNoRotation}; ///< at start
-    Vec3 up{0.0, 1.0, 0.0}; ///< against gravity
     Vec3 turn_axis{0.0, 0.0, -1.0}; ///< unit, up x (the velocity's direction across gravity)
     double climb = 0.0; ///< speed along `up` at start, m/s
     double pull = 0.0; ///< |gravity|, m/s^2
@@ -75,6 +74,7 @@ struct Flight {
     double reversal_speed = 0.0; ///< epsilon = |g| / reversal_rate, m/s
     double max_stretch = 1.0, stretch_rate = 0.0;
     AxisRule rule = AxisRule::Velocity;
+    Vec3 up{0.0, 1.0, 0.0}; ///< against gravity
     Ease ease;
 };
 
