@@ -38,6 +38,7 @@ struct Effort {
 /// What the program was asked to do, for every table.
 struct Choice {
     Effort effort;
+    bool large = false; ///< the cells of a million bodies, too
     std::string filter; ///< cells whose name holds it
     [[nodiscard]] bool wants(const std::string& cell) const { return cell.find(filter) != std::string::npos; }
 };

@@ -31,6 +31,7 @@ int runBench(int argc, char** argv) {
     bool check = false;
     std::string output;
     app.add_flag("--quick", choice.effort.quick, "Few cases, no timing worth the name: that all run and are right");
+    app.add_flag("--large", choice.large, "The world of a million bodies, too: two gigabytes, a minute");
     app.add_flag("--check", check, "Hold the speeds to their bounds too; the errors always are");
     app.add_option("--filter", choice.filter, "Only cells whose name holds this, as \"coherent floor\"");
     app.add_option("--seconds", choice.effort.seconds, "CPU time of each cell")->capture_default_str();
@@ -64,6 +65,7 @@ int runBench(int argc, char** argv) {
     runSupportTable(choice, report);
     runHullTable(choice, report);
     runWorldTable(choice, report);
+    runScaleTable(choice, report);
     if (report.empty()) {
         fmt::print(stderr, "elastoon_bench: no cell's name holds \"{}\"\n", choice.filter);
         return 2;

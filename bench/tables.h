@@ -11,5 +11,6 @@ void runTouchTable(const Choice& choice, Report& report);
 void runSupportTable(const Choice& choice, Report& report);
 void runHullTable(const Choice& choice, Report& report);
 void runWorldTable(const Choice& choice, Report& report);
+void runScaleTable(const Choice& choice, Report& report);
 
 } // namespace elastoon

@@ -1,0 +1,96 @@
+// Table 7: the same rain at every size, on one thread and on two, by the wall clock; and what a body takes in memory.
+#include "tables.h"
+#include "worlds.h"
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace elastoon {
+
+namespace {
+
+double bytesInUse() {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+double wallNanoseconds(WorldContender& world, std::size_t bodies, int steps) {
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < steps; ++i) {
+        world.step();
+    }
+    const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - begin;
+    return taken.count() / static_cast<double>(bodies) / steps;
+}
+
+struct Scale {
+    double one = 0.0, two = 0.0, gain = 0.0; ///< ns a body and step on one thread and on two; median ratio
+    double bytes = 0.0; ///< a body
+};
+
+/// Worlds of one thread and of two take turns; they must stay equal.
+Scale measureScale(std::size_t count, const Effort& effort, const std::string& name, Report& report) {
+    const BenchWorld scene = benchWorld("rain", count);
+    const double before = bytesInUse();
+    const auto one = ourWorld(scene, 1);
+    one->step();
+    Scale scale;
+    scale.bytes = (bytesInUse() - before) / static_cast<double>(count);
+    const auto two = ourWorld(scene, 2);
+    two->step();
+    const int warm = effort.quick ? 0 : 60;
+    const int rounds = effort.quick ? 1 : 5;
+    const int steps = effort.quick ? 1 : static_cast<int>(std::clamp<std::size_t>(1000000 / count, 1, 20));
+    wallNanoseconds(*one, count, std::max(1, warm));
+    wallNanoseconds(*two, count, std::max(1, warm));
+    std::vector<double> ones;
+    std::vector<double> twos;
+    for (int round = 0; round < rounds; ++round) {
+        ones.push_back(wallNanoseconds(*one, count, steps));
+        twos.push_back(wallNanoseconds(*two, count, steps));
+    }
+    scale.one = median(ones);
+    scale.two = median(twos);
+    scale.gain = medianRatio(ones, twos);
+    report.errorAtMost(name + ": two threads differ from one", one->hash() == two->hash() ? 0.0 : 1.0, 0.0);
+    return scale;
+}
+
+} // namespace
+
+void runScaleTable(const Choice& choice, Report& report) {
+    report.begin({"7. Rain at every size (ns a body and step by the wall clock, matrices written)",
+                  {{"cell", "", 22},
+                   {"1 thread ns", "{:.1f}", 12},
+                   {"2 threads ns", "{:.1f}", 13},
+                   {"gain", "{:.2f}", 8},
+                   {"bytes a body", "{:.0f}", 13},
+                   {"2 threads: steps/s", "{:.1f}", 19}},
+                  {}});
+    double at_ten_thousand = 0.0;
+    for (const std::size_t size : {std::size_t{10000}, std::size_t{100000}, std::size_t{1000000}}) {
+        const std::string name = fmt::format("scale rain {}", size);
+        if (!choice.wants(name) || (size == 1000000 && !choice.large)) {
+            continue;
+        }
+        const std::size_t count = choice.effort.quick ? 50 : size;
+        const Scale scale = measureScale(count, choice.effort, name, report);
+        const double rate = 1e9 / (scale.two * static_cast<double>(count));
+        report.add({name, scale.one, scale.two, scale.gain, scale.bytes, rate});
+        at_ten_thousand = size == 10000 ? scale.one : at_ten_thousand;
+        if (size == 100000) {
+            report.expectAtLeast(name + ": two threads' gain", scale.gain, 1.7);
+        } else if (size == 1000000) {
+            report.expectAtLeast(name + ": steps a second on two threads", rate, 10.0);
+            report.expectAtMost(name + ": bytes a body", scale.bytes, 512.0);
+            if (at_ten_thousand > 0.0) {
+                report.expectAtMost(name + ": cost beside 10 000", scale.one / at_ten_thousand, 1.5);
+            }
+        }
+    }
+}
+
+} // namespace elastoon
