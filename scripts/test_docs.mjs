@@ -1,4 +1,4 @@
-// Runs what the documents say: every sh block, every cpp block (compiled and run), every json block (checked as a scene);
+// Runs what the documents say: every sh block, every cpp and c block (compiled and run), every json block (checked as a scene);
 // every relative link and every path in backticks must exist. Usage: node scripts/test_docs.mjs [FILE.md...]
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -34,8 +34,16 @@ function runShell(text) {
 function runCpp(text, index, file) {
   const name = join(build, `${file.replace(/\W/g, "_")}_${index}`);
   writeFileSync(`${name}.cpp`, text);
-  const libraries = ["build/release/libelastoon_scene.a", "build/release/libelastoon.a"];
+  const libraries = ["build/release/libelastoon.a"];
   run("g++", ["-std=c++20", "-Wall", "-Wextra", "-Werror", "-Iinclude", `${name}.cpp`, ...libraries, "-o", name]);
+  run(name, []);
+}
+
+function runC(text, index, file) {
+  const name = join(build, `${file.replace(/\W/g, "_")}_${index}`);
+  writeFileSync(`${name}.c`, text);
+  const warnings = ["-std=c11", "-pedantic", "-Wall", "-Wextra", "-Werror"];
+  run("gcc", [...warnings, "-Iinclude", `${name}.c`, "build/release/libelastoon.a", "-lstdc++", "-lm", "-o", name]);
   run(name, []);
 }
 
@@ -70,6 +78,7 @@ for (const file of files) {
     const what = `${file}: ${language} block ${index}`;
     if (language === "sh") attempt(what, () => runShell(body));
     else if (language === "cpp") attempt(what, () => runCpp(body, index, file));
+    else if (language === "c") attempt(what, () => runC(body, index, file));
     else if (language === "json") attempt(what, () => runJson(body, index, file));
   }
 }

@@ -7,11 +7,11 @@
 #include "gjk.h"
 #include "hash.h"
 #include "impact.h"
+#include "lock.h"
 #include "rotation.h"
 #include "world_impl.h"
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
 
 namespace elastoon {
@@ -284,7 +284,7 @@ void World::Impl::advanceBodies(double to) {
         Happenings out;
     };
     std::vector<Part> parts;
-    std::mutex guard;
+    Mutex guard;
     const auto advanceRange = [&](std::size_t begin, std::size_t end) {
         Part part{begin, {}};
         for (std::size_t i = begin; i < end; ++i) {
@@ -292,7 +292,7 @@ void World::Impl::advanceBodies(double to) {
                 advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
             }
         }
-        const std::lock_guard lock(guard);
+        const Lock lock(guard);
         parts.push_back(std::move(part));
     };
     if (parallel_for) {
