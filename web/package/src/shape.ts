@@ -9,6 +9,8 @@ function destroy(id: Id): void {
   core().plain("elastoonShapeDestroy", core().putId(id));
 }
 const forgotten = new FinalizationRegistry<Id>(destroy);
+/** By content: bodies of a scene that are shaped alike share one object. */
+const shared = new Map<bigint, WeakRef<Shape>>();
 
 /** A convex solid. Bodies and obstacles keep theirs: a shape that nobody needs any more goes away by itself. */
 export class Shape {
@@ -26,8 +28,10 @@ export class Shape {
   /** @internal */
   readonly id: Id;
 
+  private disposed = false;
+
   /** @internal */
-  constructor(id: Id, owned = true) {
+  constructor(id: Id) {
     const c = core();
     const info = c.take(layout.ShapeInfo.size);
     c.call("elastoonShapeInfo", c.putId(id), info);
@@ -38,7 +42,23 @@ export class Shape {
     this.boundingRadius = c.f64(info + layout.ShapeInfo.bounding_radius);
     this.extents = c.vector(info + layout.ShapeInfo.extents);
     this.centroidOfInput = c.vector(info + layout.ShapeInfo.centroid_of_input);
-    if (owned) forgotten.register(this, id, this);
+    forgotten.register(this, id, this);
+  }
+
+  /** @internal The shape of an id that is ours: the object that is there already, if there is one. */
+  static ofId(id: Id): Shape {
+    const c = core();
+    const info = c.take(layout.ShapeInfo.size);
+    c.call("elastoonShapeInfo", c.putId(id), info);
+    const hash = c.data.getBigUint64(info + layout.ShapeInfo.content_hash, true);
+    const known = shared.get(hash)?.deref();
+    if (known !== undefined && !known.disposed) {
+      destroy(id);
+      return known;
+    }
+    const shape = new Shape(id);
+    shared.set(hash, new WeakRef(shape));
+    return shape;
   }
 
   private static make(name: string, ...sizes: number[]): Shape {
@@ -107,6 +127,7 @@ export class Shape {
 
   /** Gives its memory back now, where waiting for the garbage collector is not wanted. */
   dispose(): void {
+    this.disposed = true;
     if (forgotten.unregister(this)) destroy(this.id);
   }
 }

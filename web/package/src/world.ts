@@ -241,6 +241,6 @@ export class World {
     const out = c.take(layout.Shape.size);
     c.call(name, c.putId(id, this.id), out);
     const shape = c.id(out);
-    return shape.slot === 0 ? null : new Shape(shape);
+    return shape.slot === 0 ? null : Shape.ofId(shape);
   }
 }

@@ -24,6 +24,16 @@ test("a scene has its names, colours and camera", () => {
   assert.throws(() => scene.stage(), (error: ElastoonError) => error.code === "bad id");
 });
 
+test("bodies of one shape share it", () => {
+  const scene = Scene.parse(sceneText("pachinko.json"));
+  const [one, other] = [scene.stage(), scene.stage()];
+  assert.ok(one.bodies().length > 3);
+  assert.equal(new Set([...one.bodies(), ...other.bodies()].map((body) => body.shape)).size, 1);
+  one.dispose();
+  other.dispose();
+  scene.dispose();
+});
+
 test("mistakes are told with their place", () => {
   const wrong = (text: string, words: RegExp) =>
     assert.throws(() => Scene.parse(text, "my.json"), (error: ElastoonError) =>

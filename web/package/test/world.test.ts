@@ -108,8 +108,9 @@ test("bad input is refused with a code and a text, and harms nothing", () => {
   assert.throws(() => ball.setStyle({ bounce: 1 } as object), refusedAs("bad argument", /bounce/));
   assert.throws(() => ball.setStyle("concrete" as "jelly"), refusedAs("bad argument", /concrete/));
   assert.throws(() => world.restore(new Uint8Array(10)), refusedAs("bad data", /./));
-  const dead = new Shape((Shape.ball(1) as unknown as { id: { slot: number; generation: number } }).id, false);
-  (dead as unknown as { id: object }).id = { slot: 7, generation: 99 };
+  const dead = Shape.ball(1);
+  dead.dispose();
+  dead.dispose();
   assert.throws(() => world.createBody(new BodyDesc(dead)), refusedAs("bad id", /shape/));
   world.removeBody(ball);
   assert.equal(ball.isValid(), false);
