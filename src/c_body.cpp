@@ -58,7 +58,7 @@ ElastoonResult elastoonBodyCreate(ElastoonWorld world, const ElastoonBodyDef* de
         if (const ElastoonResult flaw = fromDef(*def, body); flaw != kElastoonOk) {
             return flaw;
         }
-        const auto added = held->changing().addBody(body);
+        const auto added = held->changingBodies().addBody(body);
         if (!added) {
             return refusedBy(added.error());
         }
@@ -70,7 +70,7 @@ ElastoonResult elastoonBodyCreate(ElastoonWorld world, const ElastoonBodyDef* de
 ElastoonResult elastoonBodyDestroy(ElastoonBody body) {
     return guarded([&] {
         HeldWorld* held = worldOf(body);
-        return held != nullptr && held->changing().removeBody(from(body)) ? kElastoonOk : badId("body");
+        return held != nullptr && held->changingBodies().removeBody(from(body)) ? kElastoonOk : badId("body");
     });
 }
 

@@ -26,10 +26,15 @@ struct HeldWorld {
     bool bodies_known = false, matrices_known = false, events_known = false;
 
     explicit HeldWorld(World made) : world(std::move(made)) {}
-    /// To be called by whatever changes the world: nothing that is kept of it holds any more.
+    /// To be called by whatever changes the world: what is kept of it does not hold any more.
     World& changing() {
-        bodies_known = matrices_known = events_known = false;
+        matrices_known = events_known = false;
         return world;
+    }
+    /// Likewise by whatever adds or removes bodies.
+    World& changingBodies() {
+        bodies_known = false;
+        return changing();
     }
     /// In the order of their slots.
     std::span<const BodyId> knownBodies();

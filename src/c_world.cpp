@@ -176,7 +176,7 @@ ElastoonResult elastoonWorldRestore(ElastoonWorld world, const void* bytes, size
         }
         std::vector<ShapePtr> known;
         shapes().forEach([&](const ShapePtr& shape) { known.push_back(shape); });
-        const Status status = held->changing().restore({static_cast<const std::byte*>(bytes), size}, known);
+        const Status status = held->changingBodies().restore({static_cast<const std::byte*>(bytes), size}, known);
         return status ? kElastoonOk : refuse(kElastoonBadData, status.error());
     });
 }

@@ -37,7 +37,13 @@ typedef struct ElastoonVersion {
 /** Version of the library that is linked; the macros are those of this header. */
 ELASTOON_API ElastoonVersion elastoonVersion(void);
 
-typedef enum ElastoonResult {
+#ifdef __cplusplus
+#define ELASTOON_ANY_INT : int32_t /* so that a number that is none of the codes is one in C++ too */
+#else
+#define ELASTOON_ANY_INT
+#endif
+
+typedef enum ElastoonResult ELASTOON_ANY_INT {
     kElastoonOk = 0,
     kElastoonBadId,       /**< the id names nothing: null, of something that is gone, or made up */
     kElastoonBadArgument, /**< a null pointer, a number that is not finite or out of range, an unknown name */
