@@ -116,23 +116,10 @@ public:
             }
             bodies_.push_back(valueOf(world_.addBody(body)));
         }
-        matrices_.resize(12 * bodies_.size());
     }
     void step() override {
         world_.step(kStep);
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            const Pose pose = world_.pose(bodies_[i]);
-            const Mat3 linear = linearOf(pose);
-            float* out = &matrices_[12 * i];
-            for (int column = 0; column < 3; ++column) {
-                for (int row = 0; row < 3; ++row) {
-                    *out++ = static_cast<float>(linear[column][row]);
-                }
-            }
-            for (int row = 0; row < 3; ++row) {
-                *out++ = static_cast<float>(pose.position[row]);
-            }
-        }
+        matrices_ = world_.matrices();
     }
     [[nodiscard]] std::vector<Vec3> places() const override {
         std::vector<Vec3> places;
@@ -169,7 +156,7 @@ private:
 
     World world_;
     std::vector<BodyId> bodies_;
-    std::vector<float> matrices_;
+    std::span<const float> matrices_;
 };
 
 } // namespace

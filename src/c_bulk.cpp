@@ -9,18 +9,23 @@ using namespace elastoon::c_interface;
 
 namespace {
 
-/// The one place where matrices of bodies come from: 12 numbers a slot, zero where it is free. `out` has room for them.
-template <class Number>
-void writeMatrices(HeldWorld& held, Number* out) {
-    std::fill_n(out, 12 * held.slotCount(), Number{0});
+/// 12 numbers a slot, zero where it is free. `out` has room for them.
+void writeMatrices(HeldWorld& held, float* out) {
+    const std::span<const float> matrices = held.world.matrices();
+    std::copy(matrices.begin(), matrices.end(), out);
+}
+
+/// Likewise, from the poses: the library's own are floats.
+void writeMatrices(HeldWorld& held, double* out) {
+    std::fill_n(out, 12 * held.slotCount(), 0.0);
     for (const BodyId body : held.knownBodies()) {
         const Pose pose = held.world.pose(body);
         const Mat3 linear = linearOf(pose);
-        Number* matrix = out + std::size_t{12} * (body.slot - 1);
+        double* matrix = out + std::size_t{12} * (body.slot - 1);
         for (int column = 0; column < 4; ++column) {
             const Vec3& from_column = column < 3 ? linear[column] : pose.position;
             for (int row = 0; row < 3; ++row) {
-                *matrix++ = static_cast<Number>(from_column[row]);
+                *matrix++ = from_column[row];
             }
         }
     }
@@ -72,12 +77,14 @@ ElastoonResult writeBulk(ElastoonWorld world, Number* out_items, std::size_t cap
 } // namespace
 
 ElastoonResult elastoonWorldMatrices(ElastoonWorld world, float* out_matrices, size_t capacity, size_t* out_count) {
-    return writeBulk(world, out_matrices, capacity, out_count, writeMatrices<float>);
+    return writeBulk(world, out_matrices, capacity, out_count,
+                     [](HeldWorld& held, float* out) { writeMatrices(held, out); });
 }
 
 ElastoonResult elastoonWorldMatricesDouble(ElastoonWorld world, double* out_matrices, size_t capacity,
                                            size_t* out_count) {
-    return writeBulk(world, out_matrices, capacity, out_count, writeMatrices<double>);
+    return writeBulk(world, out_matrices, capacity, out_count,
+                     [](HeldWorld& held, double* out) { writeMatrices(held, out); });
 }
 
 ElastoonResult elastoonWorldNormalMatrices(ElastoonWorld world, float* out_matrices, size_t capacity,
@@ -99,13 +106,9 @@ ElastoonResult elastoonWorldMatricesView(ElastoonWorld world, const float** out_
         if (out_matrices == nullptr || out_count == nullptr) {
             return nullPointer("out_matrices and out_count");
         }
-        if (!held->matrices_known) {
-            held->matrices.resize(12 * held->slotCount());
-            writeMatrices(*held, held->matrices.data());
-            held->matrices_known = true;
-        }
-        *out_matrices = held->matrices.data();
-        *out_count = held->slotCount();
+        const std::span<const float> matrices = held->world.matrices();
+        *out_matrices = matrices.data();
+        *out_count = matrices.size() / 12;
         return kElastoonOk;
     });
 }

@@ -63,14 +63,15 @@ ElastoonResult nullPointer(std::string_view argument) {
 std::span<const BodyId> HeldWorld::knownBodies() {
     if (!bodies_known) {
         bodies = world.bodies();
+        slots = world.matrices().size() / 12;
         bodies_known = true;
     }
     return bodies;
 }
 
 std::size_t HeldWorld::slotCount() {
-    const std::span<const BodyId> known = knownBodies();
-    return known.empty() ? 0 : known.back().slot;
+    knownBodies();
+    return slots;
 }
 
 HeldWorld* find(ElastoonWorld id) {

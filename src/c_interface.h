@@ -20,15 +20,15 @@ struct HeldWorld {
     World world;
     ElastoonWorld id{};
     std::vector<BodyId> bodies;
-    std::vector<float> matrices;
+    std::size_t slots = 0;
     std::vector<ElastoonEvent> events;
     std::vector<std::byte> snapshot;
-    bool bodies_known = false, matrices_known = false, events_known = false;
+    bool bodies_known = false, events_known = false;
 
     explicit HeldWorld(World made) : world(std::move(made)) {}
     /// To be called by whatever changes the world: what is kept of it does not hold any more.
     World& changing() {
-        matrices_known = events_known = false;
+        events_known = false;
         return world;
     }
     /// Likewise by whatever adds or removes bodies.
@@ -38,7 +38,7 @@ struct HeldWorld {
     }
     /// In the order of their slots.
     std::span<const BodyId> knownBodies();
-    /// One more than the last slot that a body has.
+    /// Of bodies, free ones included: as many as the world has matrices.
     std::size_t slotCount();
 };
 

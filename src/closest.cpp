@@ -16,9 +16,12 @@ double normOf(const Mat3& m) {
 
 } // namespace
 
+double sizeBound(const PosedShape& body) {
+    return normOf(body.linear) * body.shape->boundingRadius();
+}
+
 double roundingScale(const PosedShape& a, const PosedShape& b) {
-    return glm::length(a.position - b.position) + normOf(a.linear) * a.shape->boundingRadius() +
-           normOf(b.linear) * b.shape->boundingRadius();
+    return glm::length(a.position - b.position) + sizeBound(a) + sizeBound(b);
 }
 
 Closest closestPoints(const PosedShape& a, const PosedShape& b, ClosestSeed& seed, ClosestMethod method) {

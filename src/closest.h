@@ -50,6 +50,9 @@ enum class ClosestMethod : std::uint8_t { Vclip, Gjk };
 [[nodiscard]] Closest closestPoints(const PosedShape& a, const PosedShape& b, ClosestSeed& seed,
                                     ClosestMethod method = ClosestMethod::Vclip);
 
+/// About the greatest distance of a point of the body from its own position: at most so far.
+[[nodiscard]] double sizeBound(const PosedShape& body);
+
 /// Rounding of a difference of points of the two bodies is about this times 1e-16.
 [[nodiscard]] double roundingScale(const PosedShape& a, const PosedShape& b);
 

@@ -2,7 +2,7 @@
 #include "contact.h"
 
 #include "contact_region.h"
-#include "gjk.h"
+#include "line_contact.h"
 #include "rotation.h"
 #include "support.h"
 

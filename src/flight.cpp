@@ -19,7 +19,7 @@ struct Heading {
 };
 
 double climbOf(const Flight& flight, double elapsed) {
-    return glm::dot(flight.velocity, flight.up) - glm::length(flight.gravity) * elapsed;
+    return flight.climb - flight.pull * elapsed;
 }
 
 /// Direction of the axis as the rule lays it. Reversal: (v_z^2 + e^2) u + v_z v_h h.
@@ -34,7 +34,7 @@ Heading headingAt(const Flight& flight, double elapsed) {
 }
 
 Vec3 worldOf(const Flight& flight, const Heading& heading) {
-    return flight.up * heading.up + flight.across * heading.across;
+    return flight.up * heading.up + glm::cross(flight.turn_axis, flight.up) * heading.across;
 }
 
 /// Rotation in the plane of the parabola from one heading to another, stable up to the half turn.
@@ -51,7 +51,7 @@ Quat turnInPlane(const Flight& flight, const Heading& from, const Heading& to) {
         half_sine = sine < 0.0 ? -half_sine : half_sine;
         half_cosine = 0.5 * sine / half_sine;
     }
-    const Vec3 axis = glm::cross(flight.up, flight.across) * half_sine;
+    const Vec3 axis = flight.turn_axis * half_sine;
     return {half_cosine, axis.x, axis.y, axis.z};
 }
 
@@ -78,7 +78,10 @@ Flight beginFlight(const Pose& pose, const Vec3& velocity, const Vec3& gravity, 
     if (flight.speed_across <= 1e-14 * speed) {
         flight.speed_across = 0.0;
     }
-    flight.across = flight.speed_across > 0.0 ? sideways / flight.speed_across : anyAcross(flight.up);
+    flight.turn_axis =
+        glm::cross(flight.up, flight.speed_across > 0.0 ? sideways / flight.speed_across : anyAcross(flight.up));
+    flight.climb = glm::dot(velocity, flight.up);
+    flight.pull = pull;
     flight.reversal_speed = pull / style.reversal_rate;
     flight.rule = flight.speed_across < flight.reversal_speed ? AxisRule::Reversal
                   : speed > 0.0                               ? AxisRule::Velocity
@@ -180,7 +183,7 @@ double outOfReach(const Surface& surface, double t, const Flight& flight, const 
     const MovingFrame& frame = surface.frame;
     const double radius = surface.solid->boundingRadius();
     const double way = radius + shape.boundingRadius();
-    const double pull = glm::length(flight.gravity);
+    const double pull = flight.pull;
     const double by_speed = way / glm::length(flight.velocity - frame.velocity);
     const double step = 0.25 * std::min(by_speed, std::sqrt(way / pull));
     for (int i = 1; i <= kLooks && step < kNever; ++i) {
@@ -195,7 +198,7 @@ double outOfReach(const Surface& surface, double t, const Flight& flight, const 
 }
 
 FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from, double to) {
-    const double pull = glm::length(flight.gravity);
+    const double pull = flight.pull;
     const double first = climbOf(flight, from);
     const double last = climbOf(flight, to);
     const double least_climb = first * last <= 0.0 ? 0.0 : std::min(std::fabs(first), std::fabs(last));
@@ -211,7 +214,8 @@ FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from,
     const double flattest = eases ? std::min(1.0, flight.ease.stretch) : 1.0;
     const double along = longest * shape.reachAlong();
     const double across_reach = shape.reachAcross() / std::sqrt(flattest);
-    bounds.reach = std::sqrt(along * along + across_reach * across_reach);
+    bounds.reach = std::min(std::sqrt(along * along + across_reach * across_reach),
+                            shape.boundingRadius() * std::max(longest, 1.0 / std::sqrt(flattest)));
 
     const double k = flight.stretch_rate;
     const double damped = k * least_speed + 1.0;

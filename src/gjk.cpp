@@ -63,7 +63,6 @@ public:
     double startAlong(const Vec3& line);
     /// What the simplex is made of, on a and on b.
     [[nodiscard]] std::array<Feature, 2> features() const;
-    [[nodiscard]] Vec3 middle() const;
     [[nodiscard]] bool separating() const { return short_by_ <= kShort * scale_ || distance() > kVanishing * scale_; }
     /// What it ended at proves too little for the simplex to be right.
     [[nodiscard]] bool misled() const {
@@ -516,14 +515,6 @@ double Gjk::startAlong(const Vec3& line) {
     return -glm::dot(line, offset_) - glm::dot(line, pairs_[0].a - pairs_[0].b);
 }
 
-Vec3 Gjk::middle() const {
-    Vec3 b = b_.position;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
-        b += weights_[i] * pairs_[i].b;
-    }
-    return b;
-}
-
 } // namespace
 
 Closest gjkClosest(const PosedShape& a, const PosedShape& b, ClosestSeed& seed) {
@@ -566,7 +557,7 @@ Vec3 partingNormal(const PosedShape& a, const PosedShape& b, const Vec3& normal)
 
 // Newton's method on the distance, a convex function of the shift: from outside it never passes the contact, and where
 // the bodies touch the distance is a cone, so that the last step is exact.
-std::optional<LineContact> contactAlong(const PosedShape& a, const PosedShape& b, const Vec3& direction) {
+std::optional<LineContact> contactAlongByDistance(const PosedShape& a, const PosedShape& b, const Vec3& direction) {
     Gjk gjk(a, b);
     LineContact contact;
     contact.shift = gjk.startAlong(direction);
@@ -588,16 +579,7 @@ std::optional<LineContact> contactAlong(const PosedShape& a, const PosedShape& b
         contact.normal = gjk.direction();
         contact.shift -= gap / slope;
     }
-    const auto [feature_a, feature_b] = gjk.features();
-    contact.feature_a = feature_a;
-    contact.feature_b = feature_b;
-    contact.point = gjk.middle();
     return contact;
-}
-
-std::optional<double> separationAlong(const PosedShape& a, const PosedShape& b, const Vec3& direction) {
-    const auto contact = contactAlong(a, b, direction);
-    return contact ? std::optional(contact->shift) : std::nullopt;
 }
 
 } // namespace elastoon

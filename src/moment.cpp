@@ -43,6 +43,9 @@ double Moment::leastPartingSpeed(const Surface& surface) const {
 }
 
 void Moment::begin(Phase phase) {
+    if (phase.is<Flight>() && !phase.clear_of.empty()) {
+        phase.free_from = freeFrom(phase, *body_.shape);
+    }
     body_.phase = std::move(phase);
     body_.plan = {.version = around_.version, .met = nullptr};
     out_.phases.push_back({id_, body_.phase});
@@ -153,7 +156,7 @@ bool Moment::beginSlideOn(const Met& met, const Pose& pose, const Vec3& velocity
 
 void Moment::endSlide() {
     const Phase phase = body_.phase;
-    const auto& slide = std::get<Slide>(phase.motion);
+    const auto& slide = phase.get<Slide>();
     const ObstacleSlot* obstacle = slotOf(around_, phase.obstacle);
     const Pose pose = this->pose();
     const Vec3 velocity = this->velocity();
@@ -183,7 +186,7 @@ void Moment::endSlide() {
 }
 
 void Moment::touchInSlide(const Met& met) {
-    const auto& slide = std::get<Slide>(body_.phase.motion);
+    const auto& slide = body_.phase.get<Slide>();
     const ObstacleId id = idOfObstacle(met.obstacle, around_.obstacles[met.obstacle]);
     const Surface under =
         slide.surface.solid ? separatingPlane(slide.surface, *body_.shape, pose(), t_) : slide.surface;
@@ -255,7 +258,7 @@ void Moment::touch(const Met& met) {
     const Vec3 normal = met.surface.normalAt(t_);
     const Vec3 carried = met.surface.frame.velocityAt(t_, met.surface.pointAt(t_));
     const double parting = glm::dot(velocity - carried, normal);
-    const Vec3 away = velocity - normal * ((1.0 + body_.style.restitution) * std::min(0.0, parting));
+    const Vec3 away = velocity - normal * ((1.0 + body_.style->restitution) * std::min(0.0, parting));
     fly(pose, away, Lead::Nearest, lefts, settlingTime(body_.style, body_.shape->length()));
 }
 
@@ -263,13 +266,13 @@ void Moment::queue(const Met& met) {
     Phase phase = body_.phase;
     phase.start = t_;
     const ObstacleId id = idOfObstacle(met.obstacle, around_.obstacles[met.obstacle]);
-    const auto& impact = std::get<Impact>(phase.motion);
+    const auto& impact = phase.get<Impact>();
     const bool presses = opposes(impact.surface.normalAt(t_), met.surface.normalAt(t_));
     phase.clear_of.push_back({.surface = met.surface, .obstacle = id, .since = t_, .presses = presses});
     if (presses) {
         note(EventType::Squeeze, id, met.surface, 0.0, impact.curve);
     }
-    if (body_.style.corner_rule == CornerRule::Blended) {
+    if (body_.style->corner_rule == CornerRule::Blended) {
         blend(phase);
     }
     phase.end = blockedAt(phase, *body_.shape);
@@ -278,7 +281,7 @@ void Moment::queue(const Met& met) {
 
 /// While the body still squashes, all that it touches throws it back.
 void Moment::blend(Phase& phase) const {
-    auto& impact = std::get<Impact>(phase.motion);
+    auto& impact = phase.get<Impact>();
     if (impact.comes_to_rest || t_ - impact.begun > impact.curve.t_in) {
         return;
     }
@@ -366,7 +369,7 @@ void Moment::restOn(const Impact& impact, const std::vector<KeptClear>& pressing
 
 void Moment::endImpact() {
     const Phase phase = body_.phase;
-    const auto& impact = std::get<Impact>(phase.motion);
+    const auto& impact = phase.get<Impact>();
     const std::vector<KeptClear> pressing = pressingOn(impact.surface);
     // One that found no room to go on has not come to its resting form.
     const bool whole =
@@ -386,7 +389,7 @@ void Moment::endImpact() {
 }
 
 void Moment::hitAtRest(const Met& met) {
-    const auto& rest = std::get<Rest>(body_.phase.motion);
+    const auto& rest = body_.phase.get<Rest>();
     const ObstacleId id = idOfObstacle(met.obstacle, around_.obstacles[met.obstacle]);
     const Surface support = rest.surface;
     const ObstacleId held_by = body_.phase.obstacle;
@@ -413,7 +416,7 @@ void Moment::pressLetGo() {
     Phase phase = body_.phase;
     phase.start = t_;
     phase.clear_of.clear();
-    const Rest rest = std::get<Rest>(phase.motion);
+    const Rest rest = phase.get<Rest>();
     begin(std::move(phase));
     if (!canHold(rest.surface, t_, around_.gravity, body_.style)) {
         wake();
@@ -424,7 +427,7 @@ void Moment::pressLetGo() {
 
 void Moment::recover() {
     const Pose squeezed = pose();
-    const Rest rest = std::get<Rest>(body_.phase.motion);
+    const Rest rest = body_.phase.get<Rest>();
     Phase phase = body_.phase;
     Impact impact;
     impact.begun = phase.start = t_;
@@ -444,7 +447,7 @@ void Moment::recover() {
 }
 
 void Moment::wake(std::span<const Left> lefts, const Vec3& velocity) {
-    if (const auto* rest = std::get_if<Rest>(&body_.phase.motion)) {
+    if (const auto* rest = body_.phase.as<Rest>()) {
         note(EventType::Wake, body_.phase.obstacle, rest->surface, 0.0, ImpactCurve{});
     }
     const Pose pose = this->pose();

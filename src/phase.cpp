@@ -66,37 +66,38 @@ Pose restPose(const Rest& rest, const Shape& shape, double t, double factor) {
 
 Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor) {
     const double time = std::max(t, phase.start);
-    if (const auto* flight = std::get_if<Flight>(&phase.motion)) {
+    if (const auto* flight = phase.as<Flight>()) {
         Pose pose = unpushedPose(*flight, time - phase.start);
         pose.stretch *= factor;
         return pose;
     }
-    if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
+    if (const auto* impact = phase.as<Impact>()) {
         return impactPose(*impact, shape, time, factor);
     }
-    if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
+    if (const auto* slide = phase.as<Slide>()) {
         return slidePose(*slide, shape, time, factor);
     }
-    return restPose(std::get<Rest>(phase.motion), shape, time, factor);
+    return restPose(phase.get<Rest>(), shape, time, factor);
 }
 
 Pose poseAt(const Phase& phase, const Shape& shape, double t) {
-    return phase.clear_of.empty() ? ownPose(phase, shape, t) : keptClear(phase, shape, std::max(t, phase.start));
+    return phase.clear_of.empty() || t >= phase.free_from ? ownPose(phase, shape, t)
+                                                          : keptClear(phase, shape, std::max(t, phase.start));
 }
 
 Vec3 velocityAt(const Phase& phase, const Shape& shape, double t) {
     const double time = std::max(t, phase.start);
-    if (const auto* flight = std::get_if<Flight>(&phase.motion)) {
+    if (const auto* flight = phase.as<Flight>()) {
         return flightVelocity(*flight, time - phase.start);
     }
-    if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
+    if (const auto* impact = phase.as<Impact>()) {
         return impactVelocity(*impact, shape, time, phase.end);
     }
-    if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
+    if (const auto* slide = phase.as<Slide>()) {
         const MovingFrame& frame = slide->surface.frame;
         return frame.velocity + frame.orientation * slideVelocity(*slide, time);
     }
-    const auto& rest = std::get<Rest>(phase.motion);
+    const auto& rest = phase.get<Rest>();
     return rest.surface.frame.velocityAt(time, restPose(rest, shape, time, 1.0).position);
 }
 

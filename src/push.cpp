@@ -4,8 +4,8 @@
 
 #include "contact.h"
 #include "flight.h"
-#include "gjk.h"
 #include "impact.h"
+#include "line_contact.h"
 
 #include <algorithm>
 #include <array>
@@ -292,13 +292,13 @@ bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose) {
 } // namespace
 
 const Surface* surfaceOf(const Phase& phase) {
-    if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
+    if (const auto* impact = phase.as<Impact>()) {
         return &impact->surface;
     }
-    if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
+    if (const auto* slide = phase.as<Slide>()) {
         return &slide->surface;
     }
-    const auto* rest = std::get_if<Rest>(&phase.motion);
+    const auto* rest = phase.as<Rest>();
     return rest != nullptr ? &rest->surface : nullptr;
 }
 

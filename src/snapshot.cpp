@@ -28,7 +28,7 @@ Error unsound(const std::string& where, const std::string& what) {
 struct SnapshotState {
     double time = 0.0;
     Vec3 gravity{0.0};
-    std::uint64_t version = 0;
+    std::uint32_t version = 0;
     std::vector<std::uint32_t> free_obstacles, free_bodies;
     std::vector<ObstacleSlot> obstacles;
     std::vector<BodySlot> bodies;
@@ -52,7 +52,7 @@ public:
         while (count < seeds.pairs_.size() && seeds.pairs_[count].last_use != 0) {
             ++count;
         }
-        stream(count, seeds.uses_);
+        stream(count);
         for (std::size_t i = 0; i < count; ++i) {
             const auto& pair = seeds.pairs_[i];
             stream(pair.solid, pair.last_use);
@@ -64,10 +64,11 @@ public:
                             const Shape& shape) {
         std::uint8_t count = 0;
         seeds = {};
-        stream(count, seeds.uses_);
-        if (count > seeds.pairs_.size()) {
+        stream(count);
+        if (count > PairSeeds::kMost) {
             return "a body has at most 4 seeds";
         }
+        seeds.pairs_.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             auto& pair = seeds.pairs_[i];
             stream(pair.solid, pair.last_use);
@@ -78,8 +79,9 @@ public:
             } else if (const char* flaw = flawOf(pair.seed, shape, *solid)) {
                 return flaw;
             }
-            if (pair.last_use == 0 || pair.last_use > seeds.uses_) {
-                return "a seed's last use must be one of those counted";
+            constexpr std::uint64_t kMostUses = std::uint64_t{1} << 62;
+            if (pair.last_use == 0 || pair.last_use > kMostUses) {
+                return "a seed's last use must be from 1 to 2^62";
             }
         }
         return nullptr;
@@ -107,14 +109,14 @@ bool fitsPhase(Plan::Kind kind, const Phase& phase) {
     case Plan::Kind::Meet:
         return true;
     case Plan::Kind::FlyOn:
-        return std::holds_alternative<Flight>(phase.motion);
+        return phase.is<Flight>();
     case Plan::Kind::EndSlide:
-        return std::holds_alternative<Slide>(phase.motion);
+        return phase.is<Slide>();
     case Plan::Kind::EndImpact:
-        return std::holds_alternative<Impact>(phase.motion);
+        return phase.is<Impact>();
     case Plan::Kind::PressLetGo:
     case Plan::Kind::Wake:
-        return std::holds_alternative<Rest>(phase.motion);
+        return phase.is<Rest>();
     }
     return false;
 }
@@ -277,7 +279,8 @@ std::optional<Error> StateParser::readObstacles() {
 /// Most styles are those of the body before, or those that the world has already: checking ranges takes longer.
 bool StateParser::isCheckedStyle(const Style& style, std::size_t index) const {
     return (checked_ != nullptr && style == *checked_) ||
-           (index < bodies_now_.size() && bodies_now_[index].used && style == bodies_now_[index].style);
+           (index < bodies_now_.size() && bodies_now_[index].used &&
+            style == static_cast<const Style&>(bodies_now_[index].style));
 }
 
 std::optional<Error> StateParser::readBody(std::size_t index) {
@@ -296,7 +299,7 @@ std::optional<Error> StateParser::readBody(std::size_t index) {
             return wrong(error->text());
         }
     }
-    checked_ = &slot.style;
+    checked_ = &static_cast<const Style&>(slot.style);
     if (const char* flaw = flawOf(slot.phase, state_.time)) {
         return wrong(flaw);
     }
@@ -500,6 +503,8 @@ void World::Impl::become(SnapshotState& state) {
     around.gravity = state.gravity;
     around.version = state.version;
     rebuildSurroundings(around, state.obstacles, time);
+    quiet_until.assign(bodies.size(), kNotQuiet);
+    matrices.allChanged();
     events.clear();
     phases.clear();
 }

@@ -82,8 +82,11 @@ const char* flawOf(const Flight& flight, double /*now*/) {
         !within(flight.gravity, 2.0 * kMostGravity)) {
         return "a flight must be within 1e15 m and 1e8 m/s, its gravity within 1e6 m/s^2";
     }
-    if (!isUnit(flight.orientation) || !isUnit(flight.up) || !isUnit(flight.across)) {
+    if (!isUnit(flight.orientation) || !isUnit(flight.up) || !isUnit(flight.turn_axis)) {
         return "a flight's orientation and directions must be unit";
+    }
+    if (!within(flight.climb, -kFastest, kFastest) || !within(flight.pull, 0.0, 2.0 * kMostGravity)) {
+        return "a flight's climb and pull must be those of its velocity and gravity";
     }
     const double speed = glm::length(flight.velocity);
     if (!within(flight.speed_across, 0.0, speed * (1.0 + kUnit)) || !within(flight.reversal_speed, 0.0, kFastest)) {
@@ -178,6 +181,9 @@ const char* flawOf(const Path& path, double now) {
 } // namespace
 
 const char* flawOf(const Phase& phase, double now) {
+    if (std::isnan(phase.free_from)) {
+        return "the time from which on it is free must be a number";
+    }
     if (!isTime(phase.start) || phase.start > now) {
         return "a phase must have begun before now";
     }
@@ -193,7 +199,13 @@ const char* flawOf(const Phase& phase, double now) {
             return "what a body is kept clear of must have times";
         }
     }
-    return std::visit([&](const auto& motion) { return flawOf(motion, now); }, phase.motion);
+    if (const auto* impact = phase.as<Impact>()) {
+        return flawOf(*impact, now);
+    }
+    if (const auto* slide = phase.as<Slide>()) {
+        return flawOf(*slide, now);
+    }
+    return phase.is<Rest>() ? flawOf(phase.get<Rest>(), now) : flawOf(phase.get<Flight>(), now);
 }
 
 const char* flawOf(const Event& event) {

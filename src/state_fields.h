@@ -69,6 +69,20 @@ void fields(Stream& stream, Of<Style> auto& style) {
 }
 
 template <class Stream>
+void fields(Stream& stream, const SharedStyle& style) {
+    fields(stream, static_cast<const Style&>(style));
+}
+
+template <class Stream>
+void fields(Stream& stream, SharedStyle& style) {
+    Style read;
+    fields(stream, read);
+    if (!(read == static_cast<const Style&>(style))) {
+        style = read;
+    }
+}
+
+template <class Stream>
 void fields(Stream& stream, Of<MovingFrame> auto& frame) {
     stream(frame.start, frame.origin, frame.orientation, frame.velocity, frame.angular_velocity);
 }
@@ -87,8 +101,9 @@ void fields(Stream& stream, Of<Ease> auto& ease) {
 
 template <class Stream>
 void fields(Stream& stream, Of<Flight> auto& flight) {
-    stream(flight.position, flight.velocity, flight.gravity, flight.orientation, flight.up, flight.across,
-           flight.speed_across, flight.reversal_speed, flight.max_stretch, flight.stretch_rate, flight.rule);
+    stream(flight.position, flight.velocity, flight.gravity, flight.orientation, flight.up, flight.turn_axis,
+           flight.climb, flight.pull, flight.speed_across, flight.reversal_speed, flight.max_stretch,
+           flight.stretch_rate, flight.rule);
     fields(stream, flight.ease);
 }
 
@@ -116,6 +131,16 @@ void fields(Stream& stream, Of<Slide> auto& slide) {
 }
 
 template <class Stream>
+void fields(Stream& stream, Of<Boxed<Impact>> auto& impact) {
+    fields(stream, *impact);
+}
+
+template <class Stream>
+void fields(Stream& stream, Of<Boxed<Slide>> auto& slide) {
+    fields(stream, *slide);
+}
+
+template <class Stream>
 void fields(Stream& stream, Of<KeptClear> auto& kept) {
     fields(stream, kept.surface);
     stream(kept.obstacle, kept.since, kept.until, kept.presses);
@@ -124,7 +149,7 @@ inline constexpr std::size_t kKeptClearBytes = 189;
 
 template <class Stream>
 void fields(Stream& stream, Of<Phase> auto& phase) {
-    stream(phase.start, phase.end, phase.obstacle);
+    stream(phase.start, phase.end, phase.obstacle, phase.free_from);
     stream.sized(phase.clear_of, kKeptClearBytes);
     for (auto& kept : phase.clear_of) {
         fields(stream, kept);
@@ -133,7 +158,7 @@ void fields(Stream& stream, Of<Phase> auto& phase) {
     std::visit([&](auto& motion) { fields(stream, motion); }, phase.motion);
 }
 /// Of a slot's or a record's least: what counts are held against.
-inline constexpr std::size_t kPhaseBytes = 29;
+inline constexpr std::size_t kPhaseBytes = 37;
 
 template <class Stream>
 void fields(Stream& stream, Of<Event> auto& event) {

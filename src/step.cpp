@@ -64,12 +64,12 @@ Met earliestTouch(const Surroundings& around, BodySlot& body, double from, doubl
 /// The first other obstacle within [from, to] that a body held by one surface comes near to.
 Met earliestNear(const Surroundings& around, const BodySlot& body, double from, double to) {
     Met met;
-    const auto* rest = std::get_if<Rest>(&body.phase.motion);
+    const auto* rest = body.phase.as<Rest>();
     const bool stands = rest != nullptr && !rest->surface.frame.moves();
     if (stands && !around.anyMoves()) {
         return met;
     }
-    const bool waits = std::holds_alternative<Impact>(body.phase.motion);
+    const bool waits = body.phase.is<Impact>();
     const double gap = (waits ? kNearGap : kHitGap) * body.shape->length();
     thread_local std::vector<std::size_t> candidates;
     around.near(body.phase, *body.shape, from, to, candidates);
@@ -108,7 +108,7 @@ double leavingEndsPushed(const BodySlot& body) {
 /// instead.
 double leftWithoutRoom(const BodySlot& body, double from, double to) {
     const auto& clear_of = body.phase.clear_of;
-    const auto& rest = std::get<Rest>(body.phase.motion);
+    const auto& rest = body.phase.get<Rest>();
     const bool moves =
         rest.surface.frame.moves() ||
         std::any_of(clear_of.begin(), clear_of.end(), [](const KeptClear& kept) { return kept.surface.frame.moves(); });
@@ -160,23 +160,23 @@ Plan nextEvent(const Surroundings& around, BodySlot& body, double from, double t
         plan.kind = kind;
         return plan;
     };
-    if (std::holds_alternative<Flight>(body.phase.motion)) {
+    if (body.phase.is<Flight>()) {
         const double pushed_until = leavingEndsPushed(body);
         return meet(earliestTouch(around, body, from, std::min(to, pushed_until)))
                    ? plan
                    : otherwise(pushed_until, Plan::Kind::FlyOn);
     }
     double end = body.phase.end;
-    if (std::holds_alternative<Rest>(body.phase.motion)) {
+    if (body.phase.is<Rest>()) {
         end = std::min(end, leftWithoutRoom(body, from, std::min(to, end)));
     }
     if (meet(earliestNear(around, body, from, std::min(to, end)))) {
         return plan;
     }
-    if (std::holds_alternative<Slide>(body.phase.motion)) {
+    if (body.phase.is<Slide>()) {
         return otherwise(end, Plan::Kind::EndSlide);
     }
-    if (std::holds_alternative<Impact>(body.phase.motion)) {
+    if (body.phase.is<Impact>()) {
         return otherwise(end, Plan::Kind::EndImpact);
     }
     const double let_go = pressLetsGo(body, from, std::min(to, end));
@@ -193,7 +193,7 @@ void planAhead(const Surroundings& around, BodySlot& body, double from) {
     const double window = goes_on ? body.plan.window + 1.0 : std::floor((from - start) / kAhead);
     const double begin = start + window * kAhead;
     double ahead = start + (window + 1.0) * kAhead;
-    const auto* rest = std::get_if<Rest>(&body.phase.motion);
+    const auto* rest = body.phase.as<Rest>();
     if (rest != nullptr && !rest->surface.frame.moves() && !around.anyMoves() && body.phase.clear_of.empty()) {
         ahead = kNever;
     }
@@ -210,11 +210,11 @@ void planAhead(const Surroundings& around, BodySlot& body, double from) {
 void carryOut(const Plan& plan, const BodySlot& body, Moment moment) {
     switch (plan.kind) {
     case Plan::Kind::Meet:
-        if (std::holds_alternative<Flight>(body.phase.motion)) {
+        if (body.phase.is<Flight>()) {
             moment.touch(*plan.met);
-        } else if (std::holds_alternative<Slide>(body.phase.motion)) {
+        } else if (body.phase.is<Slide>()) {
             moment.touchInSlide(*plan.met);
-        } else if (std::holds_alternative<Impact>(body.phase.motion)) {
+        } else if (body.phase.is<Impact>()) {
             moment.queue(*plan.met);
         } else {
             moment.hitAtRest(*plan.met);
@@ -240,13 +240,13 @@ void carryOut(const Plan& plan, const BodySlot& body, Moment moment) {
 
 } // namespace
 
-void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {
+double advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {
     double t = from;
     int at_once = 0;
     int events = 0;
     while (events < kMostEventsPerStep && at_once < kMostEventsAtOnce) {
         if (body.plan.version == around.version && body.plan.time > to && to <= body.plan.looked_until) {
-            return;
+            return std::min(body.plan.looked_until, std::nextafter(body.plan.time, -kNever));
         }
         if (body.plan.version != around.version || body.plan.time > to) {
             planAhead(around, body, t);
@@ -259,6 +259,7 @@ void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double f
         carryOut(plan, body, Moment(around, body, id, t, out));
     }
     Moment(around, body, id, t, out).settle();
+    return to;
 }
 
 } // namespace elastoon

@@ -9,7 +9,7 @@
 #include "path.h"
 #include "watch.h"
 
-#include <array>
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <span>
@@ -21,17 +21,23 @@ namespace elastoon {
 /// the body, so that a copy goes on with the same bits.
 class PairSeeds {
 public:
-    /// The pair's own; a new one in place of the one that has been longest unused.
+    static constexpr std::size_t kMost = 4;
+
+    /// The pair's own; a new one, in place of the one that has been longest unused where there are many.
     ClosestSeed& of(ObstacleId solid) {
         std::size_t oldest = 0;
         for (std::size_t i = 0; i < pairs_.size(); ++i) {
             if (pairs_[i].solid == solid) {
-                pairs_[i].last_use = ++uses_;
+                pairs_[i].last_use = nextUse();
                 return pairs_[i].seed;
             }
             oldest = pairs_[i].last_use < pairs_[oldest].last_use ? i : oldest;
         }
-        pairs_[oldest] = {solid, ++uses_, {}};
+        if (pairs_.size() < kMost) {
+            oldest = pairs_.size();
+            pairs_.emplace_back();
+        }
+        pairs_[oldest] = {solid, nextUse(), {}};
         return pairs_[oldest].seed;
     }
 
@@ -42,8 +48,32 @@ private:
         std::uint64_t last_use = 0;
         ClosestSeed seed;
     };
-    std::array<Pair, 4> pairs_{};
-    std::uint64_t uses_ = 0;
+    [[nodiscard]] std::uint64_t nextUse() const {
+        std::uint64_t last = 0;
+        for (const Pair& pair : pairs_) {
+            last = std::max(last, pair.last_use);
+        }
+        return last + 1;
+    }
+    std::vector<Pair> pairs_;
+};
+
+/// A style that many bodies have: those that are made one after another with the same share it.
+class SharedStyle {
+public:
+    SharedStyle() : SharedStyle(Style{}) {}
+    SharedStyle(const Style& style) {
+        thread_local std::shared_ptr<const Style> last;
+        if (!last || !(*last == style)) {
+            last = std::make_shared<const Style>(style);
+        }
+        style_ = last;
+    }
+    operator const Style&() const { return *style_; }
+    const Style* operator->() const { return style_.get(); }
+
+private:
+    std::shared_ptr<const Style> style_;
 };
 
 /// A touch, and whose surface it is.
@@ -60,7 +90,7 @@ struct Plan {
     double looked_until = -std::numeric_limits<double>::infinity(); ///< nothing else happens until then
     double time = std::numeric_limits<double>::infinity();
     double window = 0.0; ///< the phase's time is looked at in windows of kAhead: which of them
-    std::uint64_t version = 0; ///< of the surroundings
+    std::uint32_t version = 0; ///< of the surroundings
     Kind kind = Kind::Meet;
     std::shared_ptr<const Met> met; ///< of Meet
 };
@@ -69,7 +99,7 @@ struct BodySlot {
     std::uint32_t generation = 0;
     bool used = false;
     ShapePtr shape;
-    Style style;
+    SharedStyle style;
     Phase phase;
     PairSeeds seeds;
     Plan plan;
@@ -100,7 +130,7 @@ struct Surroundings {
     std::vector<std::size_t> moving_planes; ///< slots, ascending
     std::vector<std::size_t> moving_solids; ///< slots, ascending
     std::vector<std::size_t> on_paths; ///< slots, ascending
-    std::uint64_t version = 0; ///< counts the changes
+    std::uint32_t version = 0; ///< counts the changes
     ObstacleTree solids; ///< boxes that hold now, and in a step through all of it and kAhead s more
 
     [[nodiscard]] bool anyMoves() const { return !moving_planes.empty() || !moving_solids.empty(); }
@@ -197,7 +227,8 @@ private:
     Happenings& out_;
 };
 
-/// Moves one body from time `from` to `to` through all its phases.
-void advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out);
+/// Moves one body from time `from` to `to` through all its phases. Gives the time, not before `to`, until which nothing
+/// else happens to it in these surroundings.
+double advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out);
 
 } // namespace elastoon

@@ -112,13 +112,18 @@ namespace {
 /// Box of a body that is held by a surface.
 Box heldBox(const Phase& phase, const Shape& shape, double from, double to) {
     const HeldBounds bounds = heldBounds(phase, shape, from, to);
+    const double ball = ballAboutContact(phase, bounds.reach, to);
+    if (ball < bounds.reach + bounds.speed * (to - from)) {
+        const Vec3 contact = phase.get<Impact>().surface.pointAt(from);
+        return grown({contact, contact}, ball);
+    }
     const Vec3 center = poseAt(phase, shape, from).position;
     return grown({center, center}, bounds.reach + bounds.speed * (to - from));
 }
 
 /// Box of the ways that a body in flight may be pushed off what it leaves.
 Box pushedBox(const Phase& phase, const Box& box, double first, double last, const FlightBounds& bounds) {
-    const auto& flight = std::get<Flight>(phase.motion);
+    const auto& flight = phase.get<Flight>();
     Box pushed = box;
     double sum = 0.0;
     for (const KeptClear& kept : phase.clear_of) {
@@ -139,10 +144,10 @@ Box pushedBox(const Phase& phase, const Box& box, double first, double last, con
 } // namespace
 
 Box sweptBox(const Phase& phase, const Shape& shape, double from, double to) {
-    if (!std::holds_alternative<Flight>(phase.motion)) {
+    if (!phase.is<Flight>()) {
         return heldBox(phase, shape, std::max(from, phase.start), std::max(to, phase.start));
     }
-    const auto& flight = std::get<Flight>(phase.motion);
+    const auto& flight = phase.get<Flight>();
     const double first = std::max(0.0, from - phase.start);
     const double last = std::max(first, to - phase.start);
     const FlightBounds bounds = flightBounds(flight, shape, first, last);

@@ -18,8 +18,9 @@ namespace elastoon {
 
 namespace {
 
-/// Below this gap (share of the length) the root is bracketed and finished.
+/// Below this gap (share of the length) the root is bracketed and finished, and is found to this gap.
 constexpr double kFinishGap = 1e-5;
+constexpr double kExact = 1e-13;
 /// Penetrations up to this share of the length are rounding.
 constexpr double kRounding = 1e-6;
 constexpr int kMostAdvances = 10000;
@@ -52,7 +53,10 @@ struct Approach {
     }
     /// Greatest speed of the push off what the flight leaves.
     [[nodiscard]] double pushRate(double t, double span, const FlightBounds& bounds) const {
-        const double gain = phase.clear_of.empty() ? 0.0 : pushGain(phase, t);
+        if (phase.clear_of.empty() || t >= phase.free_from) {
+            return 0.0;
+        }
+        const double gain = pushGain(phase, t);
         double rate = 0.0;
         for (const KeptClear& kept : phase.clear_of) {
             const MovingFrame& frame = kept.surface.frame;
@@ -63,25 +67,8 @@ struct Approach {
         }
         return gain * rate;
     }
-    /// The bounding ball's way shows that nothing touches within [from, to].
-    [[nodiscard]] bool farFrom(double from, double to) const {
-        if (surface.frame.angular_velocity != Vec3(0.0) || (!phase.clear_of.empty() && pushGain(phase, from) > 0.0)) {
-            return false;
-        }
-        const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
-        const double elapsed = from - phase.start;
-        const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
-        const Vec3 normal = surface.normalAt(from);
-        const double height = glm::dot(position - surface.pointAt(from), normal) - bounds.reach;
-        const double speed = partingSpeed(from);
-        const double pull = glm::dot(flight.gravity, normal);
-        const double span = to - from;
-        double least = std::min(height, height + (speed + 0.5 * pull * span) * span);
-        if (pull > 0.0 && speed < 0.0 && -speed < pull * span) {
-            least = height - 0.5 * speed * speed / pull;
-        }
-        return least > 0.0;
-    }
+    /// Until when the bounding ball's way shows that nothing touches, within [from, to]; at least `from`.
+    [[nodiscard]] double farUntil(double from, double to) const;
 };
 
 /// Time after which height + speed t + pull t^2 / 2 first reaches zero; height > 0. Infinite if never.
@@ -97,10 +84,33 @@ double timeToZero(double height, double speed, double pull) {
     return pull < 0.0 ? (speed + root) / -pull : std::numeric_limits<double>::infinity();
 }
 
+double Approach::farUntil(double from, double to) const {
+    if (surface.frame.angular_velocity != Vec3(0.0)) {
+        return from;
+    }
+    const double span = to - from;
+    const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
+    const Vec3 normal = surface.normalAt(from);
+    const double push = pushRate(from, span, bounds);
+    if (push > 0.0) {
+        const double way = (bounds.speed + push + glm::length(surface.frame.velocity)) * span;
+        const Vec3 position = poseAt(phase, shape, from).position;
+        return glm::dot(position - surface.pointAt(from), normal) > bounds.reach + way ? to : from;
+    }
+    const double elapsed = from - phase.start;
+    const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
+    const double height = glm::dot(position - surface.pointAt(from), normal) - bounds.reach;
+    if (!(height > 0.0)) {
+        return from;
+    }
+    constexpr double kShare = 1.0 - 1e-9;
+    return std::min(to, from + kShare * timeToZero(height, partingSpeed(from), glm::dot(flight.gravity, normal)));
+}
+
 /// gap(inside) > 0 > gap(beyond): the last time before the crossing, to rounding; never beyond it. A bisection follows
 /// whenever regula falsi has kept the same end twice, so the bracket shrinks whatever the gap's shape is.
 double finish(const Approach& approach, double inside, double gap_inside, double beyond, double gap_beyond) {
-    const double enough = 1e-15 * approach.shape.length();
+    const double enough = kExact * approach.shape.length();
     int kept_beyond = 0;
     int kept_inside = 0;
     while (gap_inside > enough) {
@@ -150,34 +160,44 @@ std::optional<double> firstSeen(const Approach& approach, double from, double to
 
 } // namespace
 
-bool clearlyMisses(const Phase& flight, const Shape& shape, const Surface& surface, double from, double to) {
-    return Approach{flight, std::get<Flight>(flight.motion), shape, surface}.farFrom(from, to);
-}
+namespace {
 
-std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface, double from,
-                                 double to) {
-    const Approach approach{flight, std::get<Flight>(flight.motion), shape, surface};
-    if (approach.farFrom(from, to)) {
+/// Conservative advancement from a time at which the body is apart from the plane or touches it.
+std::optional<double> advance(const Approach& approach, double from, double to) {
+    const double length = approach.shape.length();
+    const bool turns = approach.surface.frame.angular_velocity != Vec3(0.0);
+    double t = approach.farUntil(from, to);
+    if (t >= to && to > from) {
         return std::nullopt;
     }
-    const double touch_gap = kTouchGap * shape.length();
-    const double pull_full = surface.frame.angular_velocity == Vec3(0.0) ? 1.0 : 0.0;
-    double t = from;
     for (int i = 0; i < kMostAdvances; ++i) {
         const double gap = approach.gap(t);
-        if (gap <= touch_gap) {
+        if (gap <= kTouchGap * length) {
             return t;
         }
         const double speed = approach.partingSpeed(t);
-        const double pull = pull_full != 0.0 ? glm::dot(approach.flight.gravity, surface.normalAt(t))
-                                             : -glm::length(approach.flight.gravity);
+        const double pull = turns ? -glm::length(approach.flight.gravity)
+                                  : glm::dot(approach.flight.gravity, approach.surface.normalAt(t));
         const double rate_now = approach.otherRate(t, 0.0);
         // Look ahead about twice as far as today's rates say that nothing can happen, and bound the rates over that.
         const double guess = timeToZero(gap, speed - rate_now, pull);
         const double span = std::min(2.0 * guess, to - t);
         const double rate = approach.otherRate(t, span);
+        if (!turns && speed + std::max(0.0, pull) * span + rate < 0.0) {
+            // It comes nearer all the time: there is one root, or none.
+            const double ahead = span < to - t ? t + span : to;
+            const double gap_ahead = approach.gap(ahead);
+            if (gap_ahead < 0.0) {
+                return finish(approach, t, gap, ahead, gap_ahead);
+            }
+            if (ahead >= to) {
+                return std::nullopt;
+            }
+            t = ahead;
+            continue;
+        }
         const double safe = std::min(timeToZero(gap, speed - rate, pull), span);
-        if (gap < kFinishGap * shape.length() && speed < 0.0) {
+        if (gap < kFinishGap * length && speed < 0.0) {
             const double ahead = std::min(to, t + 2.0 * gap / -speed + 1e-12);
             const double gap_ahead = approach.gap(ahead);
             if (gap_ahead < 0.0) {
@@ -191,6 +211,46 @@ std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const 
         t = next > t ? next : std::nextafter(t, to);
     }
     return firstSeen(approach, t, to);
+}
+
+} // namespace
+
+std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface, double from,
+                                 double to) {
+    const Approach approach{flight, flight.get<Flight>(), shape, surface};
+    // While it is pushed it has no simple way; that lasts a short time only.
+    if (!flight.clear_of.empty() && flight.free_from > from && flight.free_from < to) {
+        if (const auto touch = advance(approach, from, flight.free_from)) {
+            return touch;
+        }
+        return advance(approach, flight.free_from, to);
+    }
+    return advance(approach, from, to);
+}
+
+double freeFrom(const Phase& flight, const Shape& shape) {
+    const Phase unpushed{.start = flight.start,
+                         .end = flight.end,
+                         .obstacle = {},
+                         .clear_of = {},
+                         .free_from = flight.start,
+                         .motion = flight.motion};
+    double free_from = flight.start;
+    for (const KeptClear& kept : flight.clear_of) {
+        const double span = kept.until - flight.start;
+        // Past the last time, which still counts.
+        double free = std::nextafter(kept.until, std::numeric_limits<double>::infinity());
+        for (const double share : {0.02, 0.1, 0.3}) {
+            const double t = flight.start + share * span;
+            if (span < std::numeric_limits<double>::infinity() &&
+                !firstTouch(unpushed, shape, kept.surface, t, kept.until)) {
+                free = t;
+                break;
+            }
+        }
+        free_from = std::max(free_from, free);
+    }
+    return free_from;
 }
 
 namespace {
@@ -247,16 +307,27 @@ Vec3 centerLine(const Pose& pose, const Vec3& solid_center) {
     return length > 0.0 ? between / length : Vec3(0.0, 1.0, 0.0);
 }
 
-/// The bounding balls' ways show that they do not meet within [from, to].
-bool ballsMiss(const Phase& phase, const Shape& shape, const Shape& solid, const MovingFrame& frame, double from,
-               double to) {
-    const auto& flight = std::get<Flight>(phase.motion);
+/// Until when the bounding balls' ways show that the two do not meet, within [from, to]; at least `from`.
+double ballsApartUntil(const Phase& phase, const Shape& shape, const Shape& solid, const MovingFrame& frame,
+                       double from, double to) {
+    const auto& flight = phase.get<Flight>();
     const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
-    const double way = (bounds.speed + glm::length(frame.velocity)) * (to - from);
-    const double push = phase.clear_of.empty() ? 0.0 : 4.0 * pushGain(phase, from) * bounds.reach;
-    const double reach = bounds.reach + solid.boundingRadius() + way + push;
-    const Vec3 between = unpushedPose(flight, from - phase.start).position - frame.originAt(from);
-    return glm::dot(between, between) > reach * reach;
+    const double speed = bounds.speed + glm::length(frame.velocity);
+    const bool pushed = !phase.clear_of.empty() && from < phase.free_from;
+    const double reach =
+        bounds.reach + solid.boundingRadius() + (pushed ? 4.0 * pushGain(phase, from) * bounds.reach : 0.0);
+    constexpr int kMostLooks = 16;
+    double t = from;
+    for (int i = 0; i < kMostLooks && t < to; ++i) {
+        const double elapsed = t - phase.start;
+        const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
+        const double apart = glm::length(position - frame.originAt(t)) - reach;
+        if (!(apart > 0.01 * reach)) {
+            break;
+        }
+        t += apart / speed;
+    }
+    return std::min(t, to);
 }
 
 /// Directions in which a body that touches a solid may lie from it.
@@ -272,12 +343,12 @@ std::vector<Vec3> hintsOf(const Phase& phase, const Pose& pose, const MovingFram
 
 std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, const ShapePtr& solid,
                                      const MovingFrame& frame, double from, double to, ClosestSeed& seed) {
-    if (ballsMiss(flight, shape, *solid, frame, from, to)) {
+    double t = ballsApartUntil(flight, shape, *solid, frame, from, to);
+    if (t >= to && to > from) {
         return std::nullopt;
     }
     // A plane between the two keeps them apart until the body touches it; then a better plane is sought.
     Surface plane;
-    double t = from;
     for (int i = 0; i < kMostAdvances; ++i) {
         const Pose pose = poseAt(flight, shape, t);
         const Closest closest = closestPoints(posed(shape, pose), posed(solid, frame, t), seed);

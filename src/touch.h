@@ -12,14 +12,14 @@ namespace elastoon {
 /// The body counts as touching at this share of its length: what separates a touch from rounding.
 inline constexpr double kTouchGap = 1e-9;
 
-/// The ways of the body's bounding ball show that it does not touch the plane within [from, to]. Quick; may miss it.
-[[nodiscard]] bool clearlyMisses(const Phase& flight, const Shape& shape, const Surface& surface, double from,
-                                 double to);
-
 /// First time in [from, to] at which the flight's body touches the plane; it does not penetrate at that time.
 /// None if there is no touch. At `from` a gap of kTouchGap or less is a touch.
 [[nodiscard]] std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface,
                                                double from, double to);
+
+/// A time from which on, for sure, the flight's own pose is clear of all that the phase is kept clear of: it may be
+/// later than need be.
+[[nodiscard]] double freeFrom(const Phase& flight, const Shape& shape);
 
 /// At this share of the body's length from a solid the body counts as touching it.
 inline constexpr double kSolidTouchGap = 1e-8;

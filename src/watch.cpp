@@ -103,13 +103,13 @@ HeldBounds slideBounds(const Slide& slide, const Shape& shape, double from, doub
 }
 
 HeldBounds ownBounds(const Phase& phase, const Shape& shape, double from, double to) {
-    if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
+    if (const auto* impact = phase.as<Impact>()) {
         return impactBounds(*impact, shape, from, to);
     }
-    if (const auto* slide = std::get_if<Slide>(&phase.motion)) {
+    if (const auto* slide = phase.as<Slide>()) {
         return slideBounds(*slide, shape, from, to);
     }
-    return restBounds(std::get<Rest>(phase.motion), shape);
+    return restBounds(phase.get<Rest>(), shape);
 }
 
 /// The solid's supporting plane across `normal` (world).
@@ -136,6 +136,20 @@ HeldBounds heldBounds(const Phase& phase, const Shape& shape, double from, doubl
         bounds.speed += pushGain(phase, from) * fastest;
     }
     return bounds;
+}
+
+double ballAboutContact(const Phase& phase, double reach, double to) {
+    const auto* impact = phase.as<Impact>();
+    const auto presses = [](const KeptClear& kept) { return kept.presses; };
+    if (impact == nullptr || impact->surface.frame.moves() ||
+        std::any_of(phase.clear_of.begin(), phase.clear_of.end(), presses)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    // The centroid is within one reach of the contact along the surface and across it, so within 1.42; and one on. Over
+    // a solid's edge it may be two lower. A push moves it by two (push.cpp, kMostPush), and up from what it meets
+    // there.
+    const double pushed = phase.clear_of.empty() ? 0.0 : 6.0;
+    return ((impact->surface.solid ? 4.5 : 2.5) + pushed) * reach + glm::length(impact->skims) * (to - impact->begun);
 }
 
 Distance distanceTo(const Watched& watched, const Shape& shape, const Pose& pose, double t, ClosestSeed& seed) {
@@ -179,20 +193,68 @@ Touch stepBack(const Phase& phase, const Shape& shape, const Watched& watched, d
     }
 }
 
-/// The ball about the contact that an impact on something that stands cannot leave shows it.
+/// That nothing of the impact's body, which goes no further than `ball` from the contact, comes near to it.
+bool isBeyond(const Watched& watched, const Vec3& contact, double ball, double t) {
+    const Vec3 apart = contact - watched.frame.originAt(t);
+    return watched.solid ? glm::length(apart) > watched.solid->boundingRadius() + ball
+                         : glm::dot(watched.frame.orientationAt(t) * watched.normal, apart) > ball;
+}
+
+/// The same of a body that always touches the solid.
+bool isBeyondSolid(const Watched& watched, const Surface& surface, double ball, double t) {
+    const Vec3 center = surface.frame.originAt(t);
+    if (watched.solid) {
+        return isBeyond(watched, center, surface.solid->boundingRadius() + ball, t);
+    }
+    const Vec3 normal = watched.frame.orientationAt(t) * watched.normal;
+    const Vec3 down = glm::conjugate(surface.frame.orientationAt(t)) * -normal;
+    const double reach = glm::dot(down, surface.solid->vertices()[surface.solid->supportVertex(down)]);
+    return glm::dot(normal, center - watched.frame.originAt(t)) - reach > ball;
+}
+
+/// The balls that an impact on something that stands cannot leave show it.
 bool staysAway(const Phase& phase, const Watched& watched, double reach, double from, double to, double gap) {
-    const auto* impact = std::get_if<Impact>(&phase.motion);
-    if (impact == nullptr || !phase.clear_of.empty() || impact->surface.frame.moves() || watched.frame.moves()) {
+    const double ball = ballAboutContact(phase, reach, to) + gap;
+    if (watched.frame.moves() || ball == std::numeric_limits<double>::infinity()) {
         return false;
     }
-    // The centroid is within one reach of the contact along the surface and across it, so within 1.42; and one on. Over
-    // a solid's edge it may be two lower.
-    const double ball = (impact->surface.solid ? 4.5 : 2.5) * reach + glm::length(impact->skims) * (to - impact->begun);
-    const Vec3 contact = impact->surface.pointAt(from);
-    const Vec3 apart = contact - watched.frame.originAt(from);
-    return watched.solid ? glm::length(apart) > watched.solid->boundingRadius() + ball + gap
-                         : glm::dot(watched.frame.orientationAt(from) * watched.normal, apart) > ball + gap;
+    const Surface& surface = phase.get<Impact>().surface;
+    return isBeyond(watched, surface.pointAt(from), ball, from) ||
+           (surface.solid && isBeyondSolid(watched, surface, 2.0 * reach + gap, from));
 }
+
+/// How far the points of an impact's body go, in the surface's frame, before any push: from the turn and the change of
+/// form themselves, which their rates' bounds exceed.
+class ImpactWay {
+public:
+    ImpactWay(const Impact& impact, const Shape& shape, double reach) : impact_(impact), shape_(shape), reach_(reach) {}
+
+    /// Times are counted from here, within one half of the impact.
+    void startAt(double t) {
+        share_ = shareAt(t);
+        stretch_ = impact_.curve.at(t - impact_.begun);
+    }
+    /// Greatest way of a point from the start to time t, and of that the most that moving along the normal has in it.
+    [[nodiscard]] double to(double t, double along_normal) const {
+        const double turn = impact_.turn_angle * std::fabs(shareAt(t) - share_) / (1.0 - impact_.turn_from);
+        const double stretch = impact_.curve.at(t - impact_.begun);
+        const double along = (stretch - stretch_) * shape_.reachAlong();
+        const double across = (1.0 / std::sqrt(stretch) - 1.0 / std::sqrt(stretch_)) * shape_.reachAcross();
+        // Twice: about the contact, not the centroid. As much again for the way along the normal; on a solid it may be
+        // steep.
+        const double about_contact = 2.0 * (turn * reach_ + std::sqrt(along * along + across * across));
+        return about_contact * (1.0 + along_normal * (impact_.surface.solid ? 3.0 : 1.0));
+    }
+
+private:
+    [[nodiscard]] double shareAt(double t) const { return turnShare(impact_.curve, impact_.easing, t - impact_.begun); }
+
+    const Impact& impact_;
+    const Shape& shape_;
+    double reach_;
+    double share_ = 0.0;
+    double stretch_ = 1.0;
+};
 
 /// One of those that are watched.
 struct Watch {
@@ -213,7 +275,7 @@ public:
           gap_(gap),
           pose_(poseAt(phase, shape, from)),
           posed_at_(from) {
-        const auto* impact = std::get_if<Impact>(&phase.motion);
+        const auto* impact = phase.as<Impact>();
         grid_ = impact != nullptr ? impact->curve.duration() / kLeastLooks : (to - from) / kLeastLooks;
         steep_ = impact != nullptr && impact->surface.solid;
         // A half that takes hardly any time is fast: its bounds are its own.
@@ -243,6 +305,7 @@ private:
         return distance.gap <= 0.0 && t > apart ? stepBack(phase_, shape_, *watch.watched, apart, t, gap_)
                                                 : Touch{t, distance.plane};
     }
+    [[nodiscard]] double reachedBy(const Watched& watched, double t, double until, double allowed, double speed) const;
     [[nodiscard]] double nextLook(const Watched& watched, const Pose& pose, double t, double distance) const;
 
     const Phase& phase_;
@@ -259,23 +322,52 @@ private:
     std::vector<Watch> watches_;
 };
 
+/// Until when an impact's body that is not pushed goes no further than `allowed`, besides what goes at `speed`; a time
+/// up to `until`, in the half in which t is.
+double Lookout::reachedBy(const Watched& watched, double t, double until, double allowed, double speed) const {
+    const auto& impact = phase_.get<Impact>();
+    ImpactWay way(impact, shape_, reach_);
+    way.startAt(t);
+    const bool plane_stands = !watched.solid && watched.frame.angular_velocity == Vec3(0.0);
+    const double along_normal =
+        plane_stands ? std::fabs(glm::dot(watched.frame.orientation * watched.normal, impact.surface.normalAt(t)))
+                     : 1.0;
+    constexpr int kMostTries = 5;
+    double next = until;
+    for (int i = 0; i < kMostTries; ++i) {
+        const double need = way.to(next, along_normal) + speed * (next - t);
+        if (need <= allowed) {
+            return next;
+        }
+        next = t + (next - t) * 0.9 * allowed / need;
+    }
+    return t;
+}
+
 double Lookout::nextLook(const Watched& watched, const Pose& pose, double t, double distance) const {
     const double until = t < turns_at_ ? turns_at_ : to_;
     const HeldBounds& bounds = t < turns_at_ ? bounds_ : later_bounds_;
     const double arm = glm::length(pose.position - watched.frame.originAt(t)) + bounds.reach +
                        (watched.solid ? 0.0 : distance) + (until - t) * bounds.speed;
-    const double speed =
-        bounds.speed + glm::length(watched.frame.velocity) + glm::length(watched.frame.angular_velocity) * arm;
-    double step = (distance - 0.5 * gap_) / speed;
+    const double closing = glm::length(watched.frame.velocity) + glm::length(watched.frame.angular_velocity) * arm;
+    const double allowed = distance - 0.5 * gap_;
+    double next = t + allowed / (bounds.speed + closing);
+    const auto* impact = phase_.as<Impact>();
+    if (impact != nullptr && phase_.clear_of.empty() && !impact->surface.frame.moves()) {
+        next = std::max(next, reachedBy(watched, t, until, allowed, closing + glm::length(impact->skims)));
+    }
     if (steep_ && distance < bounds.reach) {
-        step = std::min(step, grid_);
+        next = std::min(next, t + grid_);
     }
     if (looks_ > kMostLooks) {
-        step = std::max(step, (to_ - from_) * kLeastStep);
+        next = std::max(next, t + (to_ - from_) * kLeastStep);
+    }
+    if (next >= until) {
+        return until;
     }
     // Onto the common grid, where it does not come to a stop.
-    const double on_grid = from_ + grid_ * std::floor((t + step - from_) / grid_);
-    return std::min(on_grid > t ? on_grid : std::max(t + step, std::nextafter(t, until)), until);
+    const double on_grid = from_ + grid_ * std::floor((next - from_) / grid_);
+    return on_grid > t ? on_grid : std::max(next, std::nextafter(t, until));
 }
 
 std::optional<Near> Lookout::run() {

@@ -19,6 +19,10 @@ struct HeldBounds {
 };
 [[nodiscard]] HeldBounds heldBounds(const Phase& phase, const Shape& shape, double from, double to);
 
+/// About the contact of an impact on something that stands: no point of the body leaves that ball until `to`. Infinite
+/// for any other phase, and where the body is kept clear of others. `reach` as of heldBounds().
+[[nodiscard]] double ballAboutContact(const Phase& phase, double reach, double to);
+
 /// What is watched: a plane, or a convex solid.
 struct Watched {
     MovingFrame frame;

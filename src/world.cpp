@@ -4,9 +4,9 @@
 
 #include "check_input.h"
 #include "contact.h"
-#include "gjk.h"
 #include "hash.h"
 #include "impact.h"
+#include "line_contact.h"
 #include "lock.h"
 #include "rotation.h"
 #include "world_impl.h"
@@ -152,6 +152,7 @@ bool World::removeBody(BodyId id) {
         return false;
     }
     releaseSlot(*slot, id.slot - 1, impl_->free_bodies);
+    impl_->unsettle(id.slot - 1);
     return true;
 }
 
@@ -238,6 +239,7 @@ Prediction World::predict(BodyId id, double horizon) const {
         alone.around = impl_->around;
         alone.time = impl_->time;
         alone.bodies.push_back(impl_->known(id));
+        alone.unsettle(0);
         alone.advance(impl_->time + horizon);
         ahead = {std::move(alone.events), std::move(alone.phases)};
     }
@@ -283,13 +285,18 @@ void World::Impl::advanceBodies(double to) {
         std::size_t begin;
         Happenings out;
     };
+    if (quiet_version != around.version) {
+        quiet_until.assign(bodies.size(), kNotQuiet);
+        quiet_version = around.version;
+    }
+    quiet_until.resize(bodies.size(), kNotQuiet);
     std::vector<Part> parts;
     Mutex guard;
     const auto advanceRange = [&](std::size_t begin, std::size_t end) {
         Part part{begin, {}};
         for (std::size_t i = begin; i < end; ++i) {
-            if (bodies[i].used) {
-                advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
+            if (to > quiet_until[i] && bodies[i].used) {
+                quiet_until[i] = advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
             }
         }
         const Lock lock(guard);
@@ -302,6 +309,11 @@ void World::Impl::advanceBodies(double to) {
     }
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.begin < b.begin; });
     for (Part& part : parts) {
+        for (const PhaseBegun& begun : part.out.phases) {
+            if (matrices.inUse()) {
+                matrices.changed(begun.body.slot - 1);
+            }
+        }
         events.insert(events.end(), part.out.events.begin(), part.out.events.end());
         phases.insert(phases.end(), part.out.phases.begin(), part.out.phases.end());
     }
@@ -355,6 +367,10 @@ std::span<const PhaseBegun> World::phasesBegun() const {
 Pose World::pose(BodyId id) const {
     const BodySlot& body = impl_->known(id);
     return poseAt(body.phase, *body.shape, impl_->time);
+}
+
+std::span<const float> World::matrices() {
+    return impl_->matrices.at(impl_->time, impl_->bodies, impl_->parallel_for);
 }
 
 Vec3 World::velocity(BodyId id) const {

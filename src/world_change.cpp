@@ -13,14 +13,14 @@ namespace elastoon {
 /// The obstacle is gone: what it held flies on, and nothing is kept clear of it.
 void World::Impl::letGo(BodyId id, ObstacleId obstacle) {
     BodySlot& body = *find(id);
-    const bool held = body.phase.obstacle == obstacle && !std::holds_alternative<Flight>(body.phase.motion);
+    const bool held = body.phase.obstacle == obstacle && !body.phase.is<Flight>();
     const auto isOfIt = [&](const KeptClear& kept) { return kept.obstacle == obstacle; };
     const bool near = std::any_of(body.phase.clear_of.begin(), body.phase.clear_of.end(), isOfIt);
     if (held) {
         std::vector<Left> lefts = now(id).held();
         std::erase_if(lefts, [&](const Left& left) { return left.obstacle == obstacle; });
         now(id).wake(lefts);
-    } else if (near && std::holds_alternative<Rest>(body.phase.motion)) {
+    } else if (near && body.phase.is<Rest>()) {
         now(id).recover();
     } else if (near) {
         // The push goes on as it was, or the body would jump; but it may meet the obstacle elsewhere.
@@ -28,7 +28,7 @@ void World::Impl::letGo(BodyId id, ObstacleId obstacle) {
         for (KeptClear& kept : phase.clear_of) {
             kept.obstacle = isOfIt(kept) ? ObstacleId{} : kept.obstacle;
         }
-        if (std::holds_alternative<Flight>(phase.motion)) {
+        if (phase.is<Flight>()) {
             body.phase = phase;
             now(id).flyOn();
         } else {
@@ -89,7 +89,7 @@ Status World::setStyle(BodyId id, const Style& style) {
         return *error;
     }
     body->style = style;
-    if (std::holds_alternative<Flight>(body->phase.motion)) {
+    if (body->phase.is<Flight>()) {
         impl_->fly(id, velocityAt(body->phase, *body->shape, impl_->time), impl_->now(id).held());
     }
     return success();
@@ -105,8 +105,8 @@ Status World::setGravity(const Vec3& gravity) {
         if (!body.used) {
             continue;
         }
-        const auto* rest = std::get_if<Rest>(&body.phase.motion);
-        if (std::holds_alternative<Flight>(body.phase.motion) || std::holds_alternative<Slide>(body.phase.motion) ||
+        const auto* rest = body.phase.as<Rest>();
+        if (body.phase.is<Flight>() || body.phase.is<Slide>() ||
             (rest != nullptr && !canHold(rest->surface, impl_->time, gravity, body.style))) {
             impl_->now(idOfBody(i, body)).wake();
         }
@@ -125,11 +125,11 @@ void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& fram
             concerns = true;
         }
     }
-    const bool flies = std::holds_alternative<Flight>(phase.motion);
+    const bool flies = phase.is<Flight>();
     if (!concerns && (flies || phase.obstacle != obstacle)) {
         return;
     }
-    if (auto* slide = std::get_if<Slide>(&phase.motion)) {
+    if (auto* slide = phase.as<Slide>()) {
         // The body goes on with the velocity that it had, off the surface as it moves from now on.
         const Vec3 velocity = velocityAt(body.phase, *body.shape, time);
         slide->surface.frame = phase.obstacle == obstacle ? frame : slide->surface.frame;
@@ -145,8 +145,8 @@ void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& fram
     }
     bool drops = false;
     if (phase.obstacle == obstacle) {
-        auto* rest = std::get_if<Rest>(&phase.motion);
-        Surface& surface = rest != nullptr ? rest->surface : std::get<Impact>(phase.motion).surface;
+        auto* rest = phase.as<Rest>();
+        Surface& surface = rest != nullptr ? rest->surface : phase.get<Impact>().surface;
         if (rest != nullptr) {
             const Vec3 point = surface.pointAt(time);
             const Vec3 change = frame.velocityAt(time, point) - surface.frame.velocityAt(time, point);
@@ -202,7 +202,7 @@ void World::Impl::setFrame(std::size_t index, const MovingFrame& frame) {
 void World::Impl::disturb(std::size_t obstacle) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const BodySlot& body = bodies[i];
-        if (!body.used || !std::holds_alternative<Rest>(body.phase.motion)) {
+        if (!body.used || !body.phase.is<Rest>()) {
             continue;
         }
         const auto found = overlapWith(obstacle, *body.shape, poseAt(body.phase, *body.shape, time));

@@ -3,8 +3,10 @@
 
 #include "elastoon/assert.h"
 #include "elastoon/world.h"
+#include "matrix_table.h"
 #include "step.h"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,6 +20,12 @@ struct World::Impl {
     ParallelFor parallel_for;
     double time = 0.0;
     std::vector<BodySlot> bodies;
+    /// By body slot: nothing happens to the body until then, in surroundings of version `quiet_version`. A copy of what
+    /// its plan says, for the step to run over.
+    std::vector<double> quiet_until;
+    std::uint32_t quiet_version = 0;
+    static constexpr double kNotQuiet = -std::numeric_limits<double>::infinity();
+    MatrixTable matrices;
     std::vector<std::uint32_t> free_bodies, free_obstacles;
     std::vector<Event> events;
     std::vector<PhaseBegun> phases;
@@ -51,7 +59,19 @@ struct World::Impl {
     [[nodiscard]] std::optional<Overlap> overlapWith(std::size_t index, const Shape& shape, const Pose& pose) const;
     /// The deepest place where this pose penetrates an obstacle by more than 1e-6 of the length.
     [[nodiscard]] std::optional<Overlap> overlap(const Shape& shape, const Pose& pose) const;
-    [[nodiscard]] Moment now(BodyId id) { return {around, *find(id), id, time, pending}; }
+    /// For whatever happens to a body between steps.
+    [[nodiscard]] Moment now(BodyId id) {
+        unsettle(id.slot - 1);
+        return {around, *find(id), id, time, pending};
+    }
+    /// The body in this slot is not what it was.
+    void unsettle(std::size_t slot) {
+        quiet_until.resize(bodies.size(), kNotQuiet);
+        quiet_until[slot] = kNotQuiet;
+        if (matrices.inUse()) {
+            matrices.changed(slot);
+        }
+    }
     void fly(BodyId id, const Vec3& velocity, const std::vector<Left>& lefts);
     void follow(BodyId id, ObstacleId obstacle, const MovingFrame& frame);
     void letGo(BodyId id, ObstacleId obstacle);

@@ -134,8 +134,7 @@ TEST(Corner, WhatIsNoLongerApproachedIsDropped) {
     std::vector<Event> events;
     for (int i = 0; i < 120; ++i) {
         world.step(1.0 / 60.0);
-        waited =
-            waited || (!world.phase(body).clear_of.empty() && std::holds_alternative<Impact>(world.phase(body).motion));
+        waited = waited || (!world.phase(body).clear_of.empty() && world.phase(body).is<Impact>());
         events.insert(events.end(), world.events().begin(), world.events().end());
     }
     EXPECT_TRUE(waited);
@@ -184,7 +183,7 @@ TEST(Corner, AGrazingTouchSkipsContinuously) {
             for (const Event& event : world.events()) {
                 exit.time = event.type == EventType::Release ? event.time : exit.time;
             }
-            if (const auto* impact = std::get_if<Impact>(&world.phase(body).motion)) {
+            if (const auto* impact = world.phase(body).as<Impact>()) {
                 exit.turned = impact->turn_angle;
             }
         }
@@ -244,7 +243,7 @@ void look(const Room& room, const Track& track, double end_time, int run, Depths
     const auto& phases = track.phases();
     for (std::size_t p = 0; p < phases.size(); ++p) {
         const double end = p + 1 < phases.size() ? phases[p + 1].start : end_time;
-        const bool impact = std::holds_alternative<Impact>(phases[p].motion);
+        const bool impact = phases[p].is<Impact>();
         out.impacts += impact && phases[p].clear_of.empty() ? 1 : 0;
         out.waits += impact && !phases[p].clear_of.empty() ? 1 : 0;
         for (int k = 0; k <= 8; ++k) {

@@ -315,7 +315,7 @@ void Crowd::lookAtPose(BodyId body, const Pose& pose, double t) {
     }
     // What came to rest squeezed stays so.
     const Phase& phase = world_.phase(body);
-    const double formed = std::holds_alternative<Rest>(phase.motion) ? std::min(t, phase.start) : t;
+    const double formed = phase.is<Rest>() ? std::min(t, phase.start) : t;
     const auto squeezed = squeezed_.find(body.slot);
     if (squeezed == squeezed_.end() || formed > squeezed->second + 3.0) {
         const double over = std::max(pose.stretch / style.max_stretch, style.min_squash / pose.stretch) - 1.0;
@@ -333,8 +333,8 @@ double Crowd::heightOf(const Flight& flight) const {
 /// higher than the one before by more than twice the stretched body's size: a turn may lift it by one, and a corner
 /// pushes it.
 void Crowd::lookAtEnergy(BodyId body, const Phase& before, const Phase& after) {
-    const auto* impact = std::get_if<Impact>(&before.motion);
-    const auto* flight = std::get_if<Flight>(&after.motion);
+    const auto* impact = before.as<Impact>();
+    const auto* flight = after.as<Flight>();
     if (standing_ && flight != nullptr) {
         const double height = heightOf(*flight);
         const double size = 2.0 * world_.shape(body)->boundingRadius() * world_.style(body).max_stretch;
@@ -387,7 +387,7 @@ void Crowd::look() {
     for (const BodyId body : bodies_) {
         ++tally_.steps;
         const Phase& phase = world_.phase(body);
-        const auto* rest = std::get_if<Rest>(&phase.motion);
+        const auto* rest = phase.as<Rest>();
         const bool all_still = rest != nullptr && !rest->surface.frame.moves() && standing_;
         if (!all_still && (rest == nullptr || step % 8 == 0)) {
             lookAtPose(body, world_.pose(body), world_.time());

@@ -30,7 +30,7 @@ std::vector<double> wantedTimes(const Track& track) {
     }
     for (const Phase& phase : track.phases()) {
         times.push_back(phase.start);
-        if (const auto* impact = std::get_if<Impact>(&phase.motion)) {
+        if (const auto* impact = phase.as<Impact>()) {
             times.push_back(impact->begun + impact->curve.t_in);
         }
     }

@@ -24,15 +24,14 @@ void countObstacles(const Scene& scene, Counts& counts) {
 
 /// An impact that ends in an impact with another obstacle at once: that one had waited.
 bool follows(const Phase& first, const Phase& second) {
-    return std::holds_alternative<Impact>(first.motion) && std::holds_alternative<Impact>(second.motion) &&
-           first.obstacle != second.obstacle && second.start == first.end;
+    return first.is<Impact>() && second.is<Impact>() && first.obstacle != second.obstacle && second.start == first.end;
 }
 
 void countTrack(const Track& track, const Style& style, Counts& counts) {
     for (std::size_t i = 0; i < track.phases().size(); ++i) {
         const Phase& phase = track.phases()[i];
         ++counts["phase " + std::string(nameOf(phase))];
-        const auto* impact = std::get_if<Impact>(&phase.motion);
+        const auto* impact = phase.as<Impact>();
         counts["skip"] += impact != nullptr && impact->skims != Vec3(0.0) ? 1 : 0;
         for (const KeptClear& kept : phase.clear_of) {
             counts["blended corner"] += impact != nullptr && style.corner_rule == CornerRule::Blended ? 1 : 0;

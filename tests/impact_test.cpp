@@ -80,7 +80,7 @@ TEST(Impact, HoldsItsBoundsInRandomBounces) {
                 EXPECT_NEAR(before.stretch, after.stretch, 1e-9) << i;
                 EXPECT_LT(angleBetween(before.orientation, after.orientation), 1e-9) << i;
             }
-            const auto* impact = std::get_if<Impact>(&phase.motion);
+            const auto* impact = phase.as<Impact>();
             if (impact == nullptr) {
                 continue;
             }
@@ -139,10 +139,10 @@ TEST(Impact, SwapsTheForwardEndAndTurnsByTheSmallestWay) {
         world.step(0.01);
     }
     const Phase impact = world.phase(body);
-    EXPECT_NEAR(std::get<Impact>(impact.motion).turn_angle, M_PI / 2, 1e-9);
+    EXPECT_NEAR(impact.get<Impact>().turn_angle, M_PI / 2, 1e-9);
     const auto tailAt = [&](double t) { return -principalAxis(poseAt(impact, *def.shape, t).orientation); };
     EXPECT_LT(glm::length(tailAt(impact.start) - tail_before), 1e-9);
-    const double middle = impact.start + std::get<Impact>(impact.motion).curve.t_in;
+    const double middle = impact.start + impact.get<Impact>().curve.t_in;
     EXPECT_LT(glm::length(tailAt(middle) - Vec3(0, 1, 0)), 1e-9) << "half of the turn at the deepest squash";
     EXPECT_LT(glm::length(tailAt(impact.end) - glm::normalize(Vec3(1, 1, 0))), 1e-9);
 }

@@ -40,7 +40,7 @@ TEST(Rest, EveryShapeComesToItFromEveryPose) {
             for (int k = 0; k < 60 * 6; ++k) {
                 world.step(1.0 / 60.0);
                 for (const PhaseBegun& begun : world.phasesBegun()) {
-                    if (const auto* flight = std::get_if<Flight>(&begun.phase.motion)) {
+                    if (const auto* flight = begun.phase.as<Flight>()) {
                         const double rise = std::max(0.0, flight->velocity.y);
                         const double apex = flight->position.y + 0.5 * rise * rise / 9.81;
                         EXPECT_LE(apex, last_apex + def.shape->length()) << s << " " << i;
@@ -48,7 +48,7 @@ TEST(Rest, EveryShapeComesToItFromEveryPose) {
                     }
                 }
             }
-            const bool rests = std::holds_alternative<Rest>(world.phase(body).motion);
+            const bool rests = world.phase(body).is<Rest>();
             EXPECT_TRUE(rests) << s << " " << i;
             if (rests) {
                 EXPECT_LT(world.phase(body).start, 5.0) << s << " " << i;
@@ -86,7 +86,7 @@ TEST(Rest, ComesInAGrooveOfTwoSteepSides) {
             for (int k = 0; k < 60 * 8; ++k) {
                 world.step(1.0 / 60.0);
             }
-            EXPECT_TRUE(std::holds_alternative<Rest>(world.phase(body).motion)) << degrees << " degrees, shape " << s;
+            EXPECT_TRUE(world.phase(body).is<Rest>()) << degrees << " degrees, shape " << s;
         }
     }
 }

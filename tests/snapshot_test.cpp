@@ -391,7 +391,7 @@ TEST_F(Refusals, DamageUnderAGoodChecksum) {
     expectRefused(with(placeOf(Style{}.reversal_rate), nan), "style.reversal_rate");
     const Phase& phase = world_.phase(world_.bodies().back());
     expectRefused(with(placeOf(phase.start, 1), 1e6), "unsound");
-    expectRefused(with(placeOf(std::get<Flight>(phase.motion).up.y, 0), nan), "unsound");
+    expectRefused(with(placeOf(phase.get<Flight>().up.y, 0), nan), "unsound");
 }
 
 /// Every number of eight bytes gets values that it should not have: what passes must go on without a fault.

@@ -27,7 +27,7 @@ Seen run(const Scene& scene, const Rule& rule) {
         }
         for (const BodyId body : staged.bodies) {
             seen.poses.push_back(staged.world.pose(body));
-            seen.rests.push_back(std::holds_alternative<Rest>(staged.world.phase(body).motion));
+            seen.rests.push_back(staged.world.phase(body).is<Rest>());
         }
     }
     return seen;

@@ -125,7 +125,7 @@ TEST(SweptBox, OfAThrowIsTheParabolaAndTheReach) {
     Phase phase;
     phase.motion = beginFlight({}, {3.0, 10.0, 0.0}, {0.0, -10.0, 0.0}, style, Lead::PlusX);
     const Box box = sweptBox(phase, *ball, 0.5, 2.0);
-    const double reach = flightBounds(std::get<Flight>(phase.motion), *ball, 0.5, 2.0).reach;
+    const double reach = flightBounds(phase.get<Flight>(), *ball, 0.5, 2.0).reach;
     EXPECT_LT(glm::length(box.low - Vec3(1.5 - reach, -reach, -reach)), 1e-12);
     EXPECT_LT(glm::length(box.high - Vec3(6.0 + reach, 5.0 + reach, reach)), 1e-12);
 }

@@ -71,7 +71,7 @@ std::vector<double> keyTimes(const Track& track, const MotionSpan& span) {
     };
     for (const Phase& phase : track.phases()) {
         add(phase.start);
-        const auto* impact = std::get_if<Impact>(&phase.motion);
+        const auto* impact = phase.as<Impact>();
         if (impact == nullptr) {
             continue;
         }

@@ -155,7 +155,7 @@ void Inspector::lookAt(const Track& track, const std::string& name, const Phase&
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
         lookAtObstacle(track, name, phase, t, i);
     }
-    if (!std::holds_alternative<Flight>(phase.motion) && nearest_ < std::numeric_limits<Real>::infinity()) {
+    if (!phase.is<Flight>() && nearest_ < std::numeric_limits<Real>::infinity()) {
         note(report.gap, static_cast<double>(nearest_) / shape.length(), t, name, nearest_name_);
     }
 }
@@ -195,7 +195,7 @@ void Inspector::lookAtObstacle(const Track& track, const std::string& name, cons
                                std::size_t index) {
     const SceneObstacle& obstacle = scene_.obstacles[index];
     const double length = track.shape()->length();
-    const bool held = !std::holds_alternative<Flight>(phase.motion) && phase.obstacle == staged_.obstacles[index];
+    const bool held = !phase.is<Flight>() && phase.obstacle == staged_.obstacles[index];
     Real least = std::numeric_limits<Real>::infinity();
     if (obstacle.shape) {
         const std::vector<RealVec> solid = solidAt(obstacle.def, t);
@@ -240,7 +240,7 @@ void Inspector::lookAtTrack(const Track& track, const std::string& name, double 
         const double end = std::min(i + 1 < phases.size() ? phases[i + 1].start : to, to);
         lookAt(track, name, phases[i], phases[i].start);
         lookAt(track, name, phases[i], std::max(end, phases[i].start));
-        if (std::holds_alternative<Impact>(phases[i].motion)) {
+        if (phases[i].is<Impact>()) {
             for (int j = 1; j < kSamplesInImpact; ++j) {
                 lookAt(track, name, phases[i], phases[i].start + (end - phases[i].start) * j / kSamplesInImpact);
             }

@@ -9,7 +9,10 @@
 #include "elastoon/shape.h"
 
 #include <limits>
+#include <memory>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -66,7 +69,9 @@ struct Flight {
     Vec3 gravity{0.0};
     Quat orientation{kNoRotation}; ///< at start
     Vec3 up{0.0, 1.0, 0.0}; ///< against gravity
-    Vec3 across{1.0, 0.0, 0.0}; ///< unit, the velocity's direction across gravity
+    Vec3 turn_axis{0.0, 0.0, -1.0}; ///< unit, up x (the velocity's direction across gravity)
+    double climb = 0.0; ///< speed along `up` at start, m/s
+    double pull = 0.0; ///< |gravity|, m/s^2
     double speed_across = 0.0; ///< v_h, m/s
     double reversal_speed = 0.0; ///< epsilon = |g| / reversal_rate, m/s
     double max_stretch = 1.0, stretch_rate = 0.0;
@@ -120,6 +125,28 @@ struct KeptClear {
     bool presses = false; ///< it closes on the body from the other side, which flattens where nothing else helps
 };
 
+/// A value kept apart: what is large and rare takes no room where it is not.
+template <class T>
+class Boxed {
+public:
+    Boxed() : value_(std::make_unique<T>()) {}
+    Boxed(const T& value) : value_(std::make_unique<T>(value)) {}
+    Boxed(const Boxed& other) : value_(other.value_ ? std::make_unique<T>(*other.value_) : nullptr) {}
+    Boxed(Boxed&&) noexcept = default;
+    Boxed& operator=(const Boxed& other) {
+        value_ = other.value_ ? std::make_unique<T>(*other.value_) : nullptr;
+        return *this;
+    }
+    Boxed& operator=(Boxed&&) noexcept = default;
+    ~Boxed() = default;
+
+    T& operator*() { return *value_; }
+    const T& operator*() const { return *value_; }
+
+private:
+    std::unique_ptr<T> value_;
+};
+
 /// One phase of one body: immutable once made.
 struct Phase {
     double start = 0.0;
@@ -127,7 +154,36 @@ struct Phase {
         std::numeric_limits<double>::infinity(); ///< its own end, as far as it is known; an event may come before
     ObstacleId obstacle; ///< that an impact, rest or slide is against, or that a flight has just left
     std::vector<KeptClear> clear_of;
-    std::variant<Flight, Impact, Rest, Slide> motion;
+    /// From here on a flight needs no move to be clear of `clear_of`: its pose is its own.
+    double free_from = std::numeric_limits<double>::infinity();
+    std::variant<Flight, Boxed<Impact>, Rest, Boxed<Slide>> motion;
+
+    /// Flight, Impact, Rest or Slide: whether it is one, as one (null if it is not), and as the one that it is.
+    template <class T>
+    [[nodiscard]] bool is() const {
+        return as<T>() != nullptr;
+    }
+    template <class T>
+    [[nodiscard]] const T* as() const {
+        if constexpr (std::is_same_v<T, Flight> || std::is_same_v<T, Rest>) {
+            return std::get_if<T>(&motion);
+        } else {
+            const auto* boxed = std::get_if<Boxed<T>>(&motion);
+            return boxed != nullptr ? &**boxed : nullptr;
+        }
+    }
+    template <class T>
+    [[nodiscard]] T* as() {
+        return const_cast<T*>(std::as_const(*this).as<T>());
+    }
+    template <class T>
+    [[nodiscard]] const T& get() const {
+        return *as<T>();
+    }
+    template <class T>
+    [[nodiscard]] T& get() {
+        return *as<T>();
+    }
 };
 
 /// flight, impact, rest or slide.

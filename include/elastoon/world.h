@@ -178,6 +178,12 @@ public:
     /// The phases that began since the start of the last step, user changes included; by body, then by time.
     [[nodiscard]] std::span<const PhaseBegun> phasesBegun() const;
 
+    /// Of all bodies, for drawing: 12 floats for each slot, so those of `id` begin at 12 * (id.slot - 1). They are the
+    /// three columns of linearOf(pose), then the position; zero in slots without a body. Quicker than pose() for each:
+    /// many flights are worked out at once, and what is still is not looked at. Valid until the world is changed or
+    /// stepped.
+    [[nodiscard]] std::span<const float> matrices();
+
     /// The following need an id that contains() knows.
     [[nodiscard]] Pose pose(BodyId id) const;
     [[nodiscard]] Vec3 velocity(BodyId id) const;

@@ -1,0 +1,226 @@
+// See matrix_table.h. The lanes do what unpushedPose() and linearOf() do, in the same order; a test holds the two
+// equal.
+#include "matrix_table.h"
+
+#include "flight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace elastoon {
+
+namespace {
+
+constexpr std::size_t kLanes = FlightLanes::kCount;
+using Columns = std::array<std::array<float, kLanes>, MatrixTable::kFloats>;
+
+void setLane(FlightLanes& lanes, std::size_t lane, const Phase& phase) {
+    const auto& flight = phase.get<Flight>();
+    const bool turns = flight.rule != AxisRule::Fixed && flight.speed_across > 0.0;
+    lanes.start[lane] = phase.start;
+    lanes.climb[lane] = flight.climb;
+    lanes.pull[lane] = flight.pull;
+    lanes.stretch_rate[lane] = flight.stretch_rate;
+    lanes.max_stretch[lane] = flight.max_stretch;
+    // Negative: the axis is laid along the velocity. One that does not turn is a reversal straight up.
+    lanes.across[lane] = turns ? flight.speed_across : 0.0;
+    lanes.reversal_speed[lane] = !turns ? 1.0 : flight.rule == AxisRule::Reversal ? flight.reversal_speed : -1.0;
+    const Vec3 axis = turns ? flight.turn_axis : Vec3(0.0);
+    for (int k = 0; k < 3; ++k) {
+        const auto row = static_cast<std::size_t>(k);
+        lanes.position[row][lane] = flight.position[k];
+        lanes.velocity[row][lane] = flight.velocity[k];
+        lanes.gravity[row][lane] = flight.gravity[k];
+        lanes.axis[row][lane] = axis[k];
+    }
+    const Quat& q = flight.orientation;
+    for (std::size_t k = 0; k < 4; ++k) {
+        lanes.orientation[k][lane] = std::array{q.w, q.x, q.y, q.z}[k];
+    }
+}
+
+[[gnu::always_inline]] inline void poseLanesHere(const FlightLanes& in, double t, Columns& out) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const double elapsed = t - in.start[i];
+        const double half = 0.5 * elapsed;
+        const double gx = in.gravity[0][i], gy = in.gravity[1][i], gz = in.gravity[2][i];
+        const double vx = in.velocity[0][i], vy = in.velocity[1][i], vz = in.velocity[2][i];
+        const double wx = vx + gx * elapsed, wy = vy + gy * elapsed, wz = vz + gz * elapsed;
+        const double scaled = in.stretch_rate[i] * std::sqrt(wx * wx + wy * wy + wz * wz);
+        const double stretch = (scaled * in.max_stretch[i] + 1.0) / (scaled + 1.0);
+
+        // The heading at the start and now, by its parts up and across.
+        const double across = in.across[i];
+        const double e = in.reversal_speed[i];
+        const double climb_0 = in.climb[i];
+        const double climb_t = climb_0 - in.pull[i] * elapsed;
+        const bool along_velocity = e < 0.0;
+        const double raw_up_0 = along_velocity ? climb_0 : climb_0 * climb_0 + e * e;
+        const double raw_across_0 = along_velocity ? across : climb_0 * across;
+        const double raw_up_t = along_velocity ? climb_t : climb_t * climb_t + e * e;
+        const double raw_across_t = along_velocity ? across : climb_t * across;
+        const double length_0 = std::sqrt(raw_up_0 * raw_up_0 + raw_across_0 * raw_across_0);
+        const double length_t = std::sqrt(raw_up_t * raw_up_t + raw_across_t * raw_across_t);
+        const double up_0 = raw_up_0 / length_0, across_0 = raw_across_0 / length_0;
+        const double up_t = raw_up_t / length_t, across_t = raw_across_t / length_t;
+
+        // The turn from the one to the other.
+        const double cosine = up_0 * up_t + across_0 * across_t;
+        const double sine = up_0 * across_t - across_0 * up_t;
+        const double larger = std::sqrt(0.5 * (1.0 + std::fabs(cosine)));
+        const double smaller = 0.5 * sine / larger;
+        const bool acute = cosine >= 0.0;
+        const double half_sine = acute ? smaller : (sine < 0.0 ? -larger : larger);
+        const double half_cosine = acute ? larger : std::fabs(smaller);
+        const double pw = half_cosine;
+        const double px = in.axis[0][i] * half_sine, py = in.axis[1][i] * half_sine, pz = in.axis[2][i] * half_sine;
+        const double ow = in.orientation[0][i], ox = in.orientation[1][i];
+        const double oy = in.orientation[2][i], oz = in.orientation[3][i];
+        const double w = pw * ow - px * ox - py * oy - pz * oz;
+        const double x = pw * ox + px * ow + py * oz - pz * oy;
+        const double y = pw * oy + py * ow + pz * ox - px * oz;
+        const double z = pw * oz + pz * ow + px * oy - py * ox;
+
+        const double thin = 1.0 / std::sqrt(stretch);
+        const double xx = x * x, yy = y * y, zz = z * z, xz = x * z, xy = x * y, yz = y * z;
+        const double wqx = w * x, wqy = w * y, wqz = w * z;
+        out[0][i] = static_cast<float>((1.0 - 2.0 * (yy + zz)) * stretch);
+        out[1][i] = static_cast<float>(2.0 * (xy + wqz) * stretch);
+        out[2][i] = static_cast<float>(2.0 * (xz - wqy) * stretch);
+        out[3][i] = static_cast<float>(2.0 * (xy - wqz) * thin);
+        out[4][i] = static_cast<float>((1.0 - 2.0 * (xx + zz)) * thin);
+        out[5][i] = static_cast<float>(2.0 * (yz + wqx) * thin);
+        out[6][i] = static_cast<float>(2.0 * (xz + wqy) * thin);
+        out[7][i] = static_cast<float>(2.0 * (yz - wqx) * thin);
+        out[8][i] = static_cast<float>((1.0 - 2.0 * (xx + yy)) * thin);
+        out[9][i] = static_cast<float>(in.position[0][i] + (vx + gx * half) * elapsed);
+        out[10][i] = static_cast<float>(in.position[1][i] + (vy + gy * half) * elapsed);
+        out[11][i] = static_cast<float>(in.position[2][i] + (vz + gz * half) * elapsed);
+    }
+}
+
+#if defined(__x86_64__)
+// Wider registers where there are some; no fused operations, so that the bits are the same.
+[[gnu::target("avx2")]] void poseLanesWide(const FlightLanes& in, double t, Columns& out) {
+    poseLanesHere(in, t, out);
+}
+
+void poseLanes(const FlightLanes& in, double t, Columns& out) {
+    static const bool kWide = __builtin_cpu_supports("avx2");
+    kWide ? poseLanesWide(in, t, out) : poseLanesHere(in, t, out);
+}
+#else
+void poseLanes(const FlightLanes& in, double t, Columns& out) {
+    poseLanesHere(in, t, out);
+}
+#endif
+
+} // namespace
+
+void MatrixTable::writePose(std::size_t slot, const BodySlot& body, double t) {
+    const Pose pose = poseAt(body.phase, *body.shape, t);
+    const Mat3 linear = linearOf(pose);
+    float* out = &matrices_[kFloats * slot];
+    for (int column = 0; column < 4; ++column) {
+        const Vec3& from = column < 3 ? linear[column] : pose.position;
+        for (int row = 0; row < 3; ++row) {
+            *out++ = static_cast<float>(from[row]);
+        }
+    }
+}
+
+void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
+    Block& block = blocks_[slot / kLanes];
+    const std::size_t lane = slot % kLanes;
+    if (!body.used) {
+        block.kinds[lane] = Kind::Written;
+        std::fill_n(&matrices_[kFloats * slot], kFloats, 0.0F);
+        return;
+    }
+    block.kinds[lane] = Kind::Posed;
+    if (const auto* flight = body.phase.as<Flight>()) {
+        constexpr double kAfter = 1e-9; ///< s, past all doubt of rounding
+        block.kinds[lane] = Kind::Lane;
+        const Phase& phase = body.phase;
+        block.lane_from[lane] =
+            std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
+                     flight->ease.span > 0.0 ? phase.start + flight->ease.span + kAfter : phase.start);
+    } else if (const auto* rest = body.phase.as<Rest>()) {
+        if (!rest->surface.frame.moves() && body.phase.clear_of.empty()) {
+            writePose(slot, body, t);
+            block.kinds[lane] = Kind::Written;
+        }
+    }
+}
+
+void MatrixTable::takeChanges(double t, const std::vector<BodySlot>& bodies) {
+    in_use_ = true;
+    if (blocks_.size() * kLanes < bodies.size()) {
+        blocks_.resize((bodies.size() + kLanes - 1) / kLanes);
+    }
+    if (matrices_.size() != kFloats * bodies.size()) {
+        all_changed_ = all_changed_ || matrices_.size() > kFloats * bodies.size();
+        matrices_.resize(kFloats * bodies.size());
+    }
+    if (all_changed_ || changed_.size() > bodies.size()) {
+        blocks_.assign((bodies.size() + kLanes - 1) / kLanes, Block{});
+        for (std::size_t slot = 0; slot < bodies.size(); ++slot) {
+            take(slot, bodies[slot], t);
+        }
+    } else {
+        for (const std::size_t slot : changed_) {
+            take(slot, bodies[slot], t);
+        }
+    }
+    changed_.clear();
+    all_changed_ = false;
+}
+
+void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<BodySlot>& bodies) {
+    const Block& block = blocks_[index];
+    const std::size_t first = index * kLanes;
+    const std::size_t count = std::min(kLanes, bodies.size() - first);
+    std::array<bool, kLanes> by_lane{};
+    bool any = false;
+    FlightLanes lanes;
+    for (std::size_t i = 0; i < count; ++i) {
+        by_lane[i] = block.kinds[i] == Kind::Lane && t >= block.lane_from[i];
+        any = any || by_lane[i];
+        if (by_lane[i]) {
+            setLane(lanes, i, bodies[first + i].phase);
+        }
+        if (!by_lane[i] && block.kinds[i] != Kind::Written) {
+            writePose(first + i, bodies[first + i], t);
+        }
+    }
+    if (!any) {
+        return;
+    }
+    Columns columns;
+    poseLanes(lanes, t, columns);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (by_lane[i]) {
+            float* out = &matrices_[kFloats * (first + i)];
+            for (std::size_t k = 0; k < kFloats; ++k) {
+                out[k] = columns[k][i];
+            }
+        }
+    }
+}
+
+std::span<const float> MatrixTable::at(double t, const std::vector<BodySlot>& bodies, const ParallelFor& parallel_for) {
+    takeChanges(t, bodies);
+    const auto writeBlocks = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            writeBlock(i, t, bodies);
+        }
+    };
+    if (parallel_for) {
+        parallel_for(blocks_.size(), writeBlocks);
+    } else {
+        writeBlocks(0, blocks_.size());
+    }
+    return matrices_;
+}
+
+} // namespace elastoon

@@ -1,0 +1,102 @@
+// World::matrices() against pose(), to the bit, in worlds where everything happens and bodies come and go.
+#include "elastoon/scene.h"
+#include "golden/golden_run.h"
+#include "test_support.h"
+
+namespace elastoon {
+namespace {
+
+/// How many floats differ from those that pose() gives.
+int differences(World& world) {
+    const std::span<const float> matrices = world.matrices();
+    std::vector<float> expected(matrices.size(), 0.0F);
+    for (const BodyId id : world.bodies()) {
+        const Pose pose = world.pose(id);
+        const Mat3 linear = linearOf(pose);
+        for (int column = 0; column < 4; ++column) {
+            for (int row = 0; row < 3; ++row) {
+                const double value = column < 3 ? linear[column][row] : pose.position[row];
+                expected.at(static_cast<std::size_t>(12 * (static_cast<int>(id.slot) - 1) + 3 * column + row)) =
+                    static_cast<float>(value);
+            }
+        }
+    }
+    int count = 0;
+    for (std::size_t i = 0; i < matrices.size(); ++i) {
+        count += matrices[i] == expected[i] ? 0 : 1;
+    }
+    return count;
+}
+
+TEST(MatrixTable, IsWhatThePosesSayInAllGoldenScenes) {
+    const std::string source = ELASTOON_SOURCE_DIR;
+    for (const Golden& golden : valueOf(readGoldens(source + "/tests/golden/hashes.txt"))) {
+        StagedScene staged = valueOf(stage(valueOf(readScene(source + "/scenes/" + golden.scene))));
+        for (int k = 0; k < 240; ++k) {
+            staged.world.step(1.0 / golden.fps);
+            ASSERT_EQ(differences(staged.world), 0) << golden.scene << ", step " << k;
+        }
+    }
+}
+
+BodyDef thrown(Random& random) {
+    BodyDef def;
+    def.shape = valueOf(Shape::box({0.3, 0.5, 0.4}));
+    def.style.restitution = random.uniform(0.0, 1.0);
+    def.position = {random.uniform(-20.0, 20.0), random.uniform(1.0, 8.0), random.uniform(-20.0, 20.0)};
+    // Straight up, standing still, and any way.
+    const int kind = random.below(4);
+    def.velocity = kind == 0   ? Vec3(0.0, 5.0, 0.0)
+                   : kind == 1 ? Vec3(0.0)
+                   : kind == 2 ? Vec3(0.01, 6.0, 0.0)
+                               : random.inBox(8.0);
+    def.rotation = random.rotation();
+    return def;
+}
+
+TEST(MatrixTable, FollowsAllThatUsersChange) {
+    Random random(77);
+    for (const Vec3& gravity : {Vec3(0.0, -9.81, 0.0), Vec3(0.0), Vec3(1.0, -5.0, 2.0)}) {
+        World world = worldWith(gravity);
+        const ObstacleId floor = valueOf(world.addObstacle(ObstacleDef::plane({0, 1, 0}, 0.0)));
+        std::vector<BodyId> bodies;
+        for (int i = 0; i < 70; ++i) {
+            bodies.push_back(valueOf(world.addBody(thrown(random))));
+        }
+        const std::vector<std::byte> early = world.snapshot();
+        for (int k = 0; k < 300; ++k) {
+            const auto some = static_cast<std::size_t>(random.below(static_cast<int>(bodies.size())));
+            switch (random.below(12)) {
+            case 0:
+                ASSERT_TRUE(world.removeBody(bodies[some]));
+                bodies[some] = valueOf(world.addBody(thrown(random)));
+                break;
+            case 1:
+                (void)world.setVelocity(bodies[some], random.inBox(5.0));
+                break;
+            case 2:
+                (void)world.setPosition(bodies[some], {0.0, random.uniform(2.0, 9.0), 0.0});
+                break;
+            case 3:
+                bodies.push_back(valueOf(world.addBody(thrown(random))));
+                break;
+            case 4:
+                ASSERT_TRUE(world.setObstacleMotion(floor, {0.0, random.uniform(-0.2, 0.2), 0.0}, Vec3(0.0)));
+                break;
+            default:
+                break;
+            }
+            if (k % 3 != 0) {
+                ASSERT_EQ(differences(world), 0) << "step " << k;
+            }
+            world.step(1.0 / 30.0);
+        }
+        ASSERT_EQ(differences(world), 0);
+        ASSERT_TRUE(world.restore(early));
+        EXPECT_EQ(differences(world), 0);
+        EXPECT_EQ(world.matrices().size(), 12U * 70U);
+    }
+}
+
+} // namespace
+} // namespace elastoon
