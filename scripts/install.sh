@@ -9,6 +9,8 @@ if [ "${1:-run}" = test ]; then
   packages+=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev lld-19)
   command -v node > /dev/null || packages+=(nodejs)
   command -v npm > /dev/null || packages+=(npm)
+  # The WebAssembly module, and a browser to run it in.
+  packages+=(wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 llvm-19 chromium)
   # To see that arm64 has the same bits; on arm64 it is the machine's own compiler.
   [ "$(dpkg --print-architecture)" = arm64 ] || packages+=(g++-aarch64-linux-gnu qemu-user)
 fi

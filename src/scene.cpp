@@ -7,16 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 namespace elastoon {
 
 namespace {
 
 constexpr double kLongest = 86400.0;
-constexpr double kMostFileBytes = 256e6;
 
 constexpr std::array<std::string_view, 7> kShapeTypes{"sphere", "box", "cylinder", "cone", "capsule", "hull", "mesh"};
 
@@ -475,23 +472,6 @@ Result<Scene> parseScene(std::string_view text, const std::string& file, const M
         return root.error();
     }
     return SceneReader(file, read_mesh).read(root.value());
-}
-
-Result<Scene> readScene(const std::string& file, const MeshReader& read_mesh) {
-    std::ifstream stream(file, std::ios::binary | std::ios::ate);
-    if (!stream) {
-        return Error{"cannot be read; is the path right?", file};
-    }
-    if (!(static_cast<double>(stream.tellg()) >= 0.0 && static_cast<double>(stream.tellg()) <= kMostFileBytes)) {
-        return Error{"is not a scene file (a folder, or larger than 256 MB)", file};
-    }
-    stream.seekg(0);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (stream.bad()) {
-        return Error{"cannot be read", file};
-    }
-    return parseScene(text.str(), file, read_mesh);
 }
 
 Result<StagedScene> stage(const Scene& scene, const ParallelFor& parallel_for) {

@@ -146,10 +146,10 @@ const char* readPlan(StateReader& reader, Plan& plan, const Phase& phase, const 
     if (!reader.good()) {
         return nullptr;
     }
-    if (obstacle >= obstacles.size() || !obstacles[obstacle].used) {
+    if (obstacle >= obstacles.size() || !obstacles[static_cast<std::size_t>(obstacle)].used) {
         return "what a body meets next must be an obstacle";
     }
-    met.obstacle = obstacle;
+    met.obstacle = static_cast<std::size_t>(obstacle);
     met.time = plan.time;
     if (const char* flaw = flawOf(met.surface)) {
         return flaw;

@@ -7,11 +7,11 @@
 #include "hash.h"
 #include "impact.h"
 #include "line_contact.h"
+#include "lock.h"
 #include "rotation.h"
 #include "world_impl.h"
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
 
 namespace elastoon {
@@ -291,7 +291,7 @@ void World::Impl::advanceBodies(double to) {
     }
     quiet_until.resize(bodies.size(), kNotQuiet);
     std::vector<Part> parts;
-    std::mutex guard;
+    Mutex guard;
     const auto advanceRange = [&](std::size_t begin, std::size_t end) {
         Part part{begin, {}};
         for (std::size_t i = begin; i < end; ++i) {
@@ -299,7 +299,7 @@ void World::Impl::advanceBodies(double to) {
                 quiet_until[i] = advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
             }
         }
-        const std::lock_guard lock(guard);
+        const Lock lock(guard);
         parts.push_back(std::move(part));
     };
     if (parallel_for) {

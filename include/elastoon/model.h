@@ -2,9 +2,10 @@
 // and 3.4.
 #pragma once
 
+#include "elastoon/export.h"
 #include "elastoon/style.h"
 
-namespace elastoon {
+namespace elastoon ELASTOON_API {
 
 /// Share of the extra stretch that a speed gives, k v / (k v + 1). 0 at no speed, 1 at infinite speed.
 [[nodiscard]] double stretchShare(const Style& style, double speed);
@@ -63,4 +64,4 @@ struct ImpactCurve {
 /// Share 0..1 of the whole turn that is done at local time t of an impact: 1/2 at t_in for either easing.
 [[nodiscard]] double turnShare(const ImpactCurve& curve, ImpactEasing easing, double t);
 
-} // namespace elastoon
+} // namespace elastoon ELASTOON_API

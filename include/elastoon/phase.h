@@ -2,6 +2,7 @@
 // time.
 #pragma once
 
+#include "elastoon/export.h"
 #include "elastoon/ids.h"
 #include "elastoon/math.h"
 #include "elastoon/model.h"
@@ -15,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-namespace elastoon {
+namespace elastoon ELASTOON_API {
 
 /// A rigid frame that moves with constant velocity and constant angular velocity.
 struct MovingFrame {
@@ -195,4 +196,4 @@ struct Phase {
 /// microseconds.
 [[nodiscard]] Vec3 velocityAt(const Phase& phase, const Shape& shape, double t);
 
-} // namespace elastoon
+} // namespace elastoon ELASTOON_API

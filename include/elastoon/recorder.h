@@ -1,13 +1,14 @@
 // What a user does to a world, kept as data: replayed it gives the same world, to the bit. docs/snapshot.md.
 #pragma once
 
+#include "elastoon/export.h"
 #include "elastoon/world.h"
 
 #include <limits>
 #include <variant>
 #include <vector>
 
-namespace elastoon {
+namespace elastoon ELASTOON_API {
 
 /// The calls that change a world, as data.
 namespace input {
@@ -126,4 +127,4 @@ private:
     Recording recording_;
 };
 
-} // namespace elastoon
+} // namespace elastoon ELASTOON_API

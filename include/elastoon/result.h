@@ -1,11 +1,13 @@
 // How a call tells of bad input: a value, or a message that says what, where, and what would be right. No exceptions.
 #pragma once
 
+#include "elastoon/export.h"
+
 #include <string>
 #include <utility>
 #include <variant>
 
-namespace elastoon {
+namespace elastoon ELASTOON_API {
 
 /// Why a call was refused. `where` is a file, a JSON path or an argument's name, and may be empty.
 struct Error {
@@ -62,4 +64,4 @@ using Status = Result<std::monostate>;
     return std::monostate{};
 }
 
-} // namespace elastoon
+} // namespace elastoon ELASTOON_API

@@ -1,6 +1,7 @@
 // The scene file: JSON in, a checked Scene out, or one message with the file and the JSON path. docs/scene.md.
 #pragma once
 
+#include "elastoon/export.h"
 #include "elastoon/result.h"
 #include "elastoon/world.h"
 
@@ -9,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace elastoon {
+namespace elastoon ELASTOON_API {
 
 struct SceneShape {
     std::string name;
@@ -76,4 +77,4 @@ struct StagedScene {
 };
 Result<StagedScene> stage(const Scene& scene, const ParallelFor& parallel_for = {});
 
-} // namespace elastoon
+} // namespace elastoon ELASTOON_API

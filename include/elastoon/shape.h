@@ -1,6 +1,7 @@
 // Convex shapes: polytopes about their volume centroid, principal axis along x, with exact extents along the axes.
 #pragma once
 
+#include "elastoon/export.h"
 #include "elastoon/math.h"
 #include "elastoon/result.h"
 
@@ -11,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace elastoon {
+namespace elastoon ELASTOON_API {
 
 class Shape;
 struct Topology;
@@ -100,4 +101,4 @@ private:
     std::uint64_t content_hash_ = 0;
 };
 
-} // namespace elastoon
+} // namespace elastoon ELASTOON_API

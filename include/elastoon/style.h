@@ -1,13 +1,15 @@
 // How a body moves: the style parameters, and the one table of them that every reader, slider and page is made from.
 #pragma once
 
+#include "elastoon/export.h"
+
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-namespace elastoon {
+namespace elastoon ELASTOON_API {
 
 /// How deep the squash goes. Docs: docs/model.md.
 enum class SquashLaw : std::uint8_t {
@@ -108,4 +110,4 @@ struct NamedStyle {
 /// The style of this name; none if there is no such one.
 [[nodiscard]] std::optional<Style> styleNamed(std::string_view name);
 
-} // namespace elastoon
+} // namespace elastoon ELASTOON_API

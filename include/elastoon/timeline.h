@@ -1,12 +1,13 @@
 // Everything that bodies did, kept as their chains of phases: any time can be asked for, exactly, forwards or back.
 #pragma once
 
+#include "elastoon/export.h"
 #include "elastoon/phase.h"
 #include "elastoon/world.h"
 
 #include <vector>
 
-namespace elastoon {
+namespace elastoon ELASTOON_API {
 
 /// The motion of one body.
 class Track {
@@ -53,4 +54,4 @@ private:
     double start_ = 0.0, end_ = 0.0;
 };
 
-} // namespace elastoon
+} // namespace elastoon ELASTOON_API

@@ -1,6 +1,7 @@
 // The world: bodies that squash and stretch, obstacles that they meet, and the step that moves them.
 #pragma once
 
+#include "elastoon/export.h"
 #include "elastoon/ids.h"
 #include "elastoon/math.h"
 #include "elastoon/phase.h"
@@ -17,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-namespace elastoon {
+namespace elastoon ELASTOON_API {
 
 /// Runs body(begin, end) over parts of 0..count, in any order, on any threads, and returns when all are done.
 /// A host gives its own job system here. The results of a step do not depend on how the range is cut.
@@ -215,4 +216,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-} // namespace elastoon
+} // namespace elastoon ELASTOON_API
