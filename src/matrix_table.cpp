@@ -142,6 +142,7 @@ void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
     if (const auto* flight = body.phase.as<Flight>(); flight != nullptr && flight->gravity == gravity_) {
         constexpr double kAfter = 1e-9; ///< s, past all doubt of rounding
         block.kinds[lane] = Kind::Lane;
+        setLane(block.lanes, lane, body.phase);
         const Phase& phase = body.phase;
         block.lane_from[lane] =
             std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
@@ -185,13 +186,9 @@ void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<Body
     const std::size_t count = std::min(kLanes, bodies.size() - first);
     std::array<bool, kLanes> by_lane{};
     bool any = false;
-    FlightLanes lanes;
     for (std::size_t i = 0; i < count; ++i) {
         by_lane[i] = block.kinds[i] == Kind::Lane && t >= block.lane_from[i];
         any = any || by_lane[i];
-        if (by_lane[i]) {
-            setLane(lanes, i, bodies[first + i].phase);
-        }
         if (!by_lane[i] && block.kinds[i] != Kind::Written) {
             writePose(first + i, bodies[first + i], t);
         }
@@ -200,7 +197,7 @@ void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<Body
         return;
     }
     Columns columns;
-    poseLanes(lanes, gravity_, t, columns);
+    poseLanes(block.lanes, gravity_, t, columns);
     for (std::size_t i = 0; i < count; ++i) {
         if (by_lane[i]) {
             float* out = &matrices_[kFloats * (first + i)];

@@ -41,6 +41,7 @@ private:
         Posed, ///< by poseAt()
     };
     struct Block {
+        FlightLanes lanes{};
         std::array<double, FlightLanes::kCount> lane_from{};
         std::array<Kind, FlightLanes::kCount> kinds{};
     };

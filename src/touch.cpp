@@ -330,6 +330,35 @@ double ballsApartUntil(const Phase& phase, const Shape& shape, const Shape& soli
     return std::min(t, to);
 }
 
+/// Until when one of the solid's faces has the bounding ball's whole way before it, within [from, to]; at least `from`.
+double faceApartUntil(const Phase& phase, const Shape& shape, const Shape& solid, const MovingFrame& frame, double from,
+                      double to) {
+    constexpr std::size_t kMostFaces = 32;
+    const auto& normals = solid.topology().face_normals;
+    const bool pushed = !phase.clear_of.empty() && from < phase.free_from;
+    if (pushed || frame.angular_velocity != Vec3(0.0) || normals.size() > kMostFaces) {
+        return from;
+    }
+    const auto& flight = phase.get<Flight>();
+    const double elapsed = from - phase.start;
+    const double reach = flightBounds(flight, shape, elapsed, to - phase.start).reach;
+    const Quat frame_from_world = glm::conjugate(frame.orientationAt(from));
+    const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
+    const Vec3 in_frame = frame_from_world * (position - frame.originAt(from));
+    const Vec3 velocity = frame_from_world * (flightVelocity(flight, elapsed) - frame.velocity);
+    const Vec3 gravity = frame_from_world * flight.gravity;
+    constexpr double kShare = 1.0 - 1e-9;
+    double latest = from;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const double height = glm::dot(normals[i], in_frame - solid.vertices()[solid.face(i)[0]]) - reach;
+        if (height > 0.0) {
+            const double span = timeToZero(height, glm::dot(normals[i], velocity), glm::dot(normals[i], gravity));
+            latest = std::max(latest, from + kShare * span);
+        }
+    }
+    return std::min(latest, to);
+}
+
 /// Directions in which a body that touches a solid may lie from it.
 std::vector<Vec3> hintsOf(const Phase& phase, const Pose& pose, const MovingFrame& frame, double t) {
     std::vector<Vec3> hints{centerLine(pose, frame.originAt(t))};
@@ -344,6 +373,7 @@ std::vector<Vec3> hintsOf(const Phase& phase, const Pose& pose, const MovingFram
 std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, const ShapePtr& solid,
                                      const MovingFrame& frame, double from, double to, ClosestSeed& seed) {
     double t = ballsApartUntil(flight, shape, *solid, frame, from, to);
+    t = t < to ? faceApartUntil(flight, shape, *solid, frame, t, to) : t;
     if (t >= to && to > from) {
         return std::nullopt;
     }

@@ -12,6 +12,7 @@
 #include "world_impl.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace elastoon {
@@ -279,6 +280,15 @@ void World::Impl::takePending() {
     pending = {};
 }
 
+namespace {
+
+template <class T>
+void append(std::vector<T>& list, std::vector<T>& more) {
+    list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+} // namespace
+
 /// Bodies do not read each other, so any cut of the range gives the same motion.
 void World::Impl::advanceBodies(double to) {
     struct Part {
@@ -314,8 +324,8 @@ void World::Impl::advanceBodies(double to) {
                 matrices.changed(begun.body.slot - 1);
             }
         }
-        events.insert(events.end(), part.out.events.begin(), part.out.events.end());
-        phases.insert(phases.end(), part.out.phases.begin(), part.out.phases.end());
+        append(events, part.out.events);
+        append(phases, part.out.phases);
     }
 }
 
@@ -337,15 +347,17 @@ void World::Impl::advance(double to) {
         advanceBodies(until);
         time = until;
         followPaths();
-        events.insert(events.end(), pending.events.begin(), pending.events.end());
-        phases.insert(phases.end(), pending.phases.begin(), pending.phases.end());
+        append(events, pending.events);
+        append(phases, pending.phases);
         pending = {};
     } while (time < to);
     std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
         return a.time < b.time || (a.time == b.time && a.body.slot < b.body.slot);
     });
-    std::stable_sort(phases.begin(), phases.end(),
-                     [](const PhaseBegun& a, const PhaseBegun& b) { return a.body.slot < b.body.slot; });
+    const auto before = [](const PhaseBegun& a, const PhaseBegun& b) { return a.body.slot < b.body.slot; };
+    if (!std::is_sorted(phases.begin(), phases.end(), before)) {
+        std::stable_sort(phases.begin(), phases.end(), before);
+    }
 }
 
 double World::time() const {
