@@ -324,7 +324,8 @@ bool Moment::meetNextWaiting(const Impact& impact) {
         if (obstacle == nullptr) {
             continue;
         }
-        Distance distance = distanceTo(obstacle->watched(), *body_.shape, pose, t_, body_.seeds.of(next.obstacle));
+        ClosestSeed cold;
+        Distance distance = distanceTo(obstacle->watched(), *body_.shape, pose, t_, cold);
         const Vec3 normal = distance.plane.normalAt(t_);
         const Vec3 carried = obstacle->frame.velocityAt(t_, distance.plane.pointAt(t_));
         if (distance.gap > kTouched * body_.shape->length() || glm::dot(velocity - carried, normal) >= 0.0) {

@@ -42,58 +42,6 @@ struct SnapshotMemory {
     SnapshotState state;
 };
 
-/// The seeds of the closest points. Those of pairs that are gone are never read again; only their places count, for
-/// which is the next to go.
-class SeedFields {
-public:
-    template <class Stream>
-    static void write(Stream& stream, const PairSeeds& seeds, const Surroundings& around) {
-        std::uint8_t count = 0;
-        while (count < seeds.pairs_.size() && seeds.pairs_[count].last_use != 0) {
-            ++count;
-        }
-        stream(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto& pair = seeds.pairs_[i];
-            stream(pair.solid, pair.last_use);
-            fields(stream, solidOf(around.obstacles, pair.solid) != nullptr ? pair.seed : ClosestSeed{});
-        }
-    }
-    /// Null, or what would be right.
-    static const char* read(StateReader& stream, PairSeeds& seeds, const std::vector<ObstacleSlot>& obstacles,
-                            const Shape& shape) {
-        std::uint8_t count = 0;
-        seeds = {};
-        stream(count);
-        if (count > PairSeeds::kMost) {
-            return "a body has at most 4 seeds";
-        }
-        seeds.pairs_.resize(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            auto& pair = seeds.pairs_[i];
-            stream(pair.solid, pair.last_use);
-            fields(stream, pair.seed);
-            const Shape* solid = solidOf(obstacles, pair.solid);
-            if (solid == nullptr) {
-                pair.seed = {};
-            } else if (const char* flaw = flawOf(pair.seed, shape, *solid)) {
-                return flaw;
-            }
-            constexpr std::uint64_t kMostUses = std::uint64_t{1} << 62;
-            if (pair.last_use == 0 || pair.last_use > kMostUses) {
-                return "a seed's last use must be from 1 to 2^62";
-            }
-        }
-        return nullptr;
-    }
-
-private:
-    static const Shape* solidOf(const std::vector<ObstacleSlot>& obstacles, ObstacleId id) {
-        const ObstacleSlot* slot = id.slot != 0 && id.slot <= obstacles.size() ? &obstacles[id.slot - 1] : nullptr;
-        return slot != nullptr && slot->used && slot->generation == id.generation ? slot->shape.get() : nullptr;
-    }
-};
-
 namespace {
 
 void writePlan(StateWriter& writer, const Plan& plan) {
@@ -303,10 +251,7 @@ std::optional<Error> StateParser::readBody(std::size_t index) {
     if (const char* flaw = flawOf(slot.phase, state_.time)) {
         return wrong(flaw);
     }
-    const char* flaw = SeedFields::read(reader_, slot.seeds, state_.obstacles, *slot.shape);
-    if (flaw == nullptr) {
-        flaw = readPlan(reader_, slot.plan, slot.phase, state_.obstacles);
-    }
+    const char* flaw = readPlan(reader_, slot.plan, slot.phase, state_.obstacles);
     return flaw != nullptr && reader_.good() ? std::optional(wrong(flaw)) : std::nullopt;
 }
 
@@ -429,7 +374,6 @@ void World::snapshotInto(std::vector<std::byte>& out_bytes, const SnapshotOption
     for (const BodySlot& body : impl.bodies) {
         fields(writer, body);
         if (body.used) {
-            SeedFields::write(writer, body.seeds, impl.around);
             // A plan that is out of date is made anew.
             writePlan(writer, body.plan.version == impl.around.version ? body.plan : Plan{});
         }

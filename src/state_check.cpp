@@ -224,22 +224,4 @@ const char* flawOf(const ObstacleSlot& slot, double now) {
     return isUnit(slot.normal) ? flawOf(slot.path, now) : "an obstacle's normal must be a unit vector";
 }
 
-namespace {
-
-bool names(const Feature& feature, const Shape& shape) {
-    const std::size_t counts[] = {shape.vertices().size(), shape.topology().edges.size(), shape.faceCount()};
-    return feature.kind <= Feature::Kind::Face && feature.index < counts[static_cast<std::size_t>(feature.kind)];
-}
-
-} // namespace
-
-const char* flawOf(const ClosestSeed& seed, const Shape& a, const Shape& b) {
-    bool sound = !seed.has_features || (names(seed.a, a) && names(seed.b, b));
-    for (std::size_t i = 0; i < seed.pair_count; ++i) {
-        sound = sound && i < seed.pairs_a.size() && seed.pairs_a[i] < a.vertices().size() &&
-                seed.pairs_b[i] < b.vertices().size();
-    }
-    return sound ? nullptr : "a seed must name features and vertices that the two shapes have";
-}
-
 } // namespace elastoon

@@ -13,7 +13,5 @@ inline constexpr double kMostTime = 1e9;
 [[nodiscard]] const char* flawOf(const Phase& phase, double now);
 [[nodiscard]] const char* flawOf(const Event& event);
 [[nodiscard]] const char* flawOf(const ObstacleSlot& slot, double now);
-/// The seed of a pair of shapes.
-[[nodiscard]] const char* flawOf(const ClosestSeed& seed, const Shape& a, const Shape& b);
 
 } // namespace elastoon

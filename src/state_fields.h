@@ -217,17 +217,6 @@ void fields(Stream& stream, Of<BodySlot> auto& slot) {
     }
 }
 
-template <class Stream>
-void fields(Stream& stream, Of<ClosestSeed> auto& seed) {
-    stream(seed.has_features, seed.pair_count);
-    if (seed.has_features) {
-        stream(seed.a.kind, seed.a.index, seed.b.kind, seed.b.index);
-    }
-    for (std::size_t i = 0; i < std::min<std::size_t>(seed.pair_count, seed.pairs_a.size()); ++i) {
-        stream(seed.pairs_a[i], seed.pairs_b[i]);
-    }
-}
-
 /// The shapes' table: for each its hash and counts, and, if they are embedded, its parts.
 void writeShapes(StateWriter& writer, const ShapeTable& table, bool embedded);
 /// Finds a shape by its contentHash(); null where it is not known.

@@ -21,12 +21,15 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// At this share of its length from a body at rest an obstacle has come upon it.
 constexpr double kHitGap = 1e-7;
 
-/// The first touch with one obstacle, as far as `to`.
-std::optional<Touch> firstTouchOf(BodySlot& body, const ObstacleSlot& obstacle, ObstacleId id, double from, double to) {
+/// The first touch with one obstacle, as far as `to`. Each search begins cold: a seed kept from an earlier one would
+/// let what was looked at before show in the last bit.
+std::optional<Touch> firstTouchOf(const BodySlot& body, const ObstacleSlot& obstacle, double from, double to,
+                                  double give_up) {
     if (!obstacle.isPlane()) {
-        return firstSolidTouch(body.phase, *body.shape, obstacle.shape, obstacle.frame, from, to, body.seeds.of(id));
+        ClosestSeed cold;
+        return firstSolidTouch(body.phase, *body.shape, obstacle.shape, obstacle.frame, from, to, cold, give_up);
     }
-    const auto time = firstTouch(body.phase, *body.shape, obstacle.surface(), from, to);
+    const auto time = firstTouch(body.phase, *body.shape, obstacle.surface(), from, to, give_up);
     return time ? std::optional(Touch{*time, obstacle.surface()}) : std::nullopt;
 }
 
@@ -41,19 +44,19 @@ double clearUntil(const Phase& phase, ObstacleId id) {
 
 /// The earliest touch of a flight within [from, to]; of equal ones that of the obstacle added first.
 /// An obstacle being left is not looked at until it is left.
-Met earliestTouch(const Surroundings& around, BodySlot& body, double from, double to) {
+Met earliestTouch(const Surroundings& around, const BodySlot& body, double from, double to) {
     Met met;
     thread_local std::vector<std::size_t> candidates;
     around.near(body.phase, *body.shape, from, to, candidates);
     for (const std::size_t i : candidates) {
         const ObstacleSlot& obstacle = around.obstacles[i];
         const ObstacleId id = idOfObstacle(i, obstacle);
-        const double begin = std::max(from, clearUntil(body.phase, id));
-        const double end = std::min(to, met.time);
-        if (begin > end) {
+        // Before it began to move as it does, it was met or missed otherwise.
+        const double begin = std::max({from, clearUntil(body.phase, id), obstacle.frame.start});
+        if (begin > std::min(to, met.time)) {
             continue;
         }
-        const auto touch = firstTouchOf(body, obstacle, id, begin, end);
+        const auto touch = firstTouchOf(body, obstacle, begin, to, met.time);
         if (touch && touch->time < met.time) {
             met = {touch->time, i, touch->surface};
         }
@@ -148,7 +151,7 @@ double pressLetsGo(const BodySlot& body, double from, double to) {
 }
 
 /// What comes next within [from, to]; its time is kNever if that is nothing.
-Plan nextEvent(const Surroundings& around, BodySlot& body, double from, double to) {
+Plan nextEvent(const Surroundings& around, const BodySlot& body, double from, double to) {
     Plan plan;
     const auto meet = [&](const Met& met) {
         plan.time = met.time;

@@ -17,47 +17,6 @@
 
 namespace elastoon {
 
-/// Where V-Clip's last walk ended, for the few solids that a body is near to: kept from step to step, and copied with
-/// the body, so that a copy goes on with the same bits.
-class PairSeeds {
-public:
-    static constexpr std::size_t kMost = 4;
-
-    /// The pair's own; a new one, in place of the one that has been longest unused where there are many.
-    ClosestSeed& of(ObstacleId solid) {
-        std::size_t oldest = 0;
-        for (std::size_t i = 0; i < pairs_.size(); ++i) {
-            if (pairs_[i].solid == solid) {
-                pairs_[i].last_use = nextUse();
-                return pairs_[i].seed;
-            }
-            oldest = pairs_[i].last_use < pairs_[oldest].last_use ? i : oldest;
-        }
-        if (pairs_.size() < kMost) {
-            oldest = pairs_.size();
-            pairs_.emplace_back();
-        }
-        pairs_[oldest] = {solid, nextUse(), {}};
-        return pairs_[oldest].seed;
-    }
-
-private:
-    friend class SeedFields;
-    struct Pair {
-        ObstacleId solid;
-        std::uint64_t last_use = 0;
-        ClosestSeed seed;
-    };
-    [[nodiscard]] std::uint64_t nextUse() const {
-        std::uint64_t last = 0;
-        for (const Pair& pair : pairs_) {
-            last = std::max(last, pair.last_use);
-        }
-        return last + 1;
-    }
-    std::vector<Pair> pairs_;
-};
-
 /// A style that many bodies have: those that are made one after another with the same share it.
 class SharedStyle {
 public:
@@ -101,7 +60,6 @@ struct BodySlot {
     ShapePtr shape;
     SharedStyle style;
     Phase phase;
-    PairSeeds seeds;
     Plan plan;
     std::uint64_t user_data = 0;
 };

@@ -163,7 +163,7 @@ std::optional<double> firstSeen(const Approach& approach, double from, double to
 namespace {
 
 /// Conservative advancement from a time at which the body is apart from the plane or touches it.
-std::optional<double> advance(const Approach& approach, double from, double to) {
+std::optional<double> advance(const Approach& approach, double from, double to, double give_up) {
     const double length = approach.shape.length();
     const bool turns = approach.surface.frame.angular_velocity != Vec3(0.0);
     double t = approach.farUntil(from, to);
@@ -171,6 +171,9 @@ std::optional<double> advance(const Approach& approach, double from, double to) 
         return std::nullopt;
     }
     for (int i = 0; i < kMostAdvances; ++i) {
+        if (t > give_up) {
+            return std::nullopt;
+        }
         const double gap = approach.gap(t);
         if (gap <= kTouchGap * length) {
             return t;
@@ -216,16 +219,16 @@ std::optional<double> advance(const Approach& approach, double from, double to) 
 } // namespace
 
 std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface, double from,
-                                 double to) {
+                                 double to, double give_up) {
     const Approach approach{flight, flight.get<Flight>(), shape, surface};
     // While it is pushed it has no simple way; that lasts a short time only.
     if (!flight.clear_of.empty() && flight.free_from > from && flight.free_from < to) {
-        if (const auto touch = advance(approach, from, flight.free_from)) {
+        if (const auto touch = advance(approach, from, flight.free_from, give_up)) {
             return touch;
         }
-        return advance(approach, flight.free_from, to);
+        return advance(approach, flight.free_from, to, give_up);
     }
-    return advance(approach, from, to);
+    return advance(approach, from, to, give_up);
 }
 
 double freeFrom(const Phase& flight, const Shape& shape) {
@@ -371,10 +374,11 @@ std::vector<Vec3> hintsOf(const Phase& phase, const Pose& pose, const MovingFram
 } // namespace
 
 std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, const ShapePtr& solid,
-                                     const MovingFrame& frame, double from, double to, ClosestSeed& seed) {
+                                     const MovingFrame& frame, double from, double to, ClosestSeed& seed,
+                                     double give_up) {
     double t = ballsApartUntil(flight, shape, *solid, frame, from, to);
     t = t < to ? faceApartUntil(flight, shape, *solid, frame, t, to) : t;
-    if (t >= to && to > from) {
+    if ((t >= to && to > from) || t > give_up) {
         return std::nullopt;
     }
     // A plane between the two keeps them apart until the body touches it; then a better plane is sought.
@@ -392,7 +396,7 @@ std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, co
         if (touches) {
             return Touch{t, plane};
         }
-        const std::optional<double> next = firstTouch(flight, shape, plane, t, to);
+        const std::optional<double> next = firstTouch(flight, shape, plane, t, to, give_up);
         if (!next) {
             return std::nullopt;
         }

@@ -5,6 +5,7 @@
 #include "closest.h"
 #include "elastoon/phase.h"
 
+#include <limits>
 #include <optional>
 
 namespace elastoon {
@@ -12,10 +13,13 @@ namespace elastoon {
 /// The body counts as touching at this share of its length: what separates a touch from rounding.
 inline constexpr double kTouchGap = 1e-9;
 
+inline constexpr double kNoGivingUp = std::numeric_limits<double>::infinity();
+
 /// First time in [from, to] at which the flight's body touches the plane; it does not penetrate at that time.
-/// None if there is no touch. At `from` a gap of kTouchGap or less is a touch.
+/// None if there is no touch. At `from` a gap of kTouchGap or less is a touch. A touch that is sure to be later than
+/// `give_up` need not be found; one that is found does not depend on it, not in the last bit.
 [[nodiscard]] std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface,
-                                               double from, double to);
+                                               double from, double to, double give_up = kNoGivingUp);
 
 /// A time from which on, for sure, the flight's own pose is clear of all that the phase is kept clear of: it may be
 /// later than need be.
@@ -32,7 +36,8 @@ struct Touch {
 /// First time in [from, to] at which the flight's body touches the solid, which is carried by `frame`. A body that
 /// overlaps it at `from` touches it there. The seed is that of the last search of this pair.
 [[nodiscard]] std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, const ShapePtr& solid,
-                                                   const MovingFrame& frame, double from, double to, ClosestSeed& seed);
+                                                   const MovingFrame& frame, double from, double to, ClosestSeed& seed,
+                                                   double give_up = kNoGivingUp);
 
 /// A plane (without its solid) between the surface's solid and a body that touches it at time t: it does not cut the
 /// body. Of a surface without a solid, that plane. Its point lies under the contact.

@@ -287,8 +287,10 @@ public:
     }
 
     void watch(const Watched& watched) {
-        if (!staysAway(phase_, watched, reach_, from_, to_, gap_)) {
-            watches_.push_back({&watched, from_, from_, {}});
+        // Before it began to move as it does, it was met or missed otherwise.
+        const double begin = std::max(from_, watched.frame.start);
+        if (begin <= to_ && !staysAway(phase_, watched, reach_, from_, to_, gap_)) {
+            watches_.push_back({&watched, begin, begin, {}});
         }
     }
     std::optional<Near> run();

@@ -44,8 +44,9 @@ struct Near {
     const Watched* watched;
 };
 
-/// First time in [from, to] at which the body is within `gap` m of one of the obstacles, with a plane between the two
-/// that does not cut the obstacle, nor the body unless the two overlap. None if it stays further away.
+/// A time in [from, to] at which the body is within `gap` m of one of the obstacles, the first or one before it has
+/// come within half of that, with a plane between the two that does not cut the obstacle, nor the body unless the two
+/// overlap. None if it stays further away.
 [[nodiscard]] std::optional<Near> firstNear(const Phase& phase, const Shape& shape, std::span<const Watched> all,
                                             double from, double to, double gap);
 
