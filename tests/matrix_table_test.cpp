@@ -16,8 +16,8 @@ int differences(World& world) {
         for (int column = 0; column < 4; ++column) {
             for (int row = 0; row < 3; ++row) {
                 const double value = column < 3 ? linear[column][row] : pose.position[row];
-                const auto place = static_cast<std::size_t>(3 * column + row);
-                expected.at(12 * (std::size_t{id.slot} - 1) + place) = static_cast<float>(value);
+                const auto place = 12 * (std::ptrdiff_t{id.slot} - 1) + 3 * column + row;
+                expected.at(static_cast<std::size_t>(place)) = static_cast<float>(value);
             }
         }
     }
