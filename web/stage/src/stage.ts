@@ -32,7 +32,7 @@ export class Stage {
   private readonly hemisphere = new HemisphereLight();
   private readonly sun = new DirectionalLight();
   private themeName: ThemeName;
-  private size = { width: 1, height: 1, ratio: 1 };
+  private size = { width: 1, height: 1, ratio: 1, exact: false };
   private center = new Vector3(0, 1, 0);
   private radius = 6;
   private lost = false;
@@ -82,9 +82,9 @@ export class Stage {
     this.sun.intensity = sun;
   }
 
-  /** CSS pixels. */
-  resize(width: number, height: number, ratio = globalThis.devicePixelRatio ?? 1): void {
-    this.size = { width: Math.max(width, 1), height: Math.max(height, 1), ratio };
+  /** CSS pixels. `exact`: that many pixels, whatever the quality: for pictures that are kept. */
+  resize(width: number, height: number, ratio = globalThis.devicePixelRatio ?? 1, exact = false): void {
+    this.size = { width: Math.max(width, 1), height: Math.max(height, 1), ratio, exact };
     this.applySize();
   }
 
@@ -117,7 +117,8 @@ export class Stage {
   }
 
   private applySize(): void {
-    this.renderer.setPixelRatio(Math.min(this.size.ratio, this.quality.pixelRatio));
+    const { ratio, exact } = this.size;
+    this.renderer.setPixelRatio(exact ? ratio : Math.min(ratio, this.quality.pixelRatio));
     this.renderer.setSize(this.size.width, this.size.height, false);
   }
   private applyQuality(): void {

@@ -60,7 +60,6 @@ export class Director {
   private readonly spacingDots: SpacingDots[] = [];
   private readonly ray = new Raycaster();
   private last = performance.now();
-  private soundTime = 0;
   private drawn = "";
   private dirty = true;
   private ghostKey = "";
@@ -119,7 +118,6 @@ export class Director {
     if (frame) this.reframe();
     this.ghostKey = "";
     this.knownTold = -1;
-    this.soundTime = this.show.time;
     this.invalidate();
   }
 
@@ -341,7 +339,7 @@ export class Director {
     const helped = helper.visible;
     helper.visible = false;
     Object.assign(show, { time, overlay, spacing: false, selected: null, obstacle: -1 });
-    this.stage.resize(width, height, 1);
+    this.stage.resize(width, height, 1, true);
     this.ghostKey = "";
     this.draw();
     frame(this.canvas);
