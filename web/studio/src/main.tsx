@@ -18,6 +18,8 @@ async function begin(): Promise<void> {
   await Elastoon.init();
   const studio = new Studio();
   document.documentElement.dataset["theme"] = studio.theme.value;
+  // For the browser's console, and for tests.
+  Object.assign(globalThis, { studio });
   root.replaceChildren();
   render(<App studio={studio} capability={can} />, root);
 }

@@ -262,6 +262,14 @@ export class Studio {
     this.director.invalidate();
     return hash;
   }
+  /** Where a body is on the page, CSS pixels. */
+  placeOf(name: string): { x: number; y: number } | null {
+    const player = this.players.value[0];
+    const played = player?.bodyNamed(name);
+    if (player === undefined || played === undefined) return null;
+    const { x, y, z } = player.motionOf(played.body, [this.director.show.time]).poses[0]!.position;
+    return this.director.placeOf(x, y, z);
+  }
   setSpeed(speed: number): void {
     this.speed.value = this.director.show.speed = speed;
   }

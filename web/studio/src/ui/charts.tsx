@@ -17,6 +17,7 @@ export interface Mark {
 export interface Level {
   readonly y: number;
   readonly text: string;
+  readonly side: "left" | "right";
 }
 
 interface ChartProps {
@@ -35,7 +36,7 @@ interface ChartProps {
   readonly onPick?: (x: number) => void;
 }
 
-const margin = { left: 34, right: 10, top: 10, bottom: 22 };
+const margin = { left: 34, right: 14, top: 10, bottom: 22 };
 
 export function useWidth(): [preact.RefObject<HTMLDivElement>, number] {
   const ref = useRef<HTMLDivElement>(null);
@@ -67,15 +68,17 @@ export function Chart(props: ChartProps) {
         {ticks(low, high, height > 130 ? 5 : 3).map((y) => (
           <g key={y}><line class="grid" x1={margin.left} x2={width - margin.right} y1={py(y)} y2={py(y)} />
             <text class="tick" x={margin.left - 6} y={py(y) + 3.5} text-anchor="end">{tickText(y)}</text></g>))}
-        {ticks(from, to, Math.max(Math.floor(inner.width / 60), 2)).map((x) => (
-          <text key={x} class="tick" x={px(x)} y={height - 7} text-anchor="middle">{tickText(x)}</text>))}
-        <text class="tick unit" x={width - margin.right} y={height - 7} text-anchor="end">{props.xUnit ?? ""}</text>
+        {ticks(from, to, Math.max(Math.floor(inner.width / 60), 2)).map((x, i, all) => (
+          <text key={x} class="tick" x={Math.min(px(x), width - 12)} y={height - 7} text-anchor="middle">
+            {tickText(x)}{i === all.length - 1 ? ` ${props.xUnit ?? ""}` : ""}</text>))}
         {props.marks?.map((mark, i) => (
           <g key={`${mark.x} ${i}`}><line class="mark" x1={px(mark.x)} x2={px(mark.x)} y1={margin.top} y2={height - margin.bottom} />
-            {mark.text === undefined ? null : <text class="mark-text" x={px(mark.x) + 4} y={margin.top + 8}>{mark.text}</text>}</g>))}
+            {mark.text === undefined ? null : <text class="mark-text" x={px(mark.x) + 4}
+              y={height - margin.bottom - 5}>{mark.text}</text>}</g>))}
         {props.levels?.map((level) => (
           <g key={level.text}><line class="level" x1={margin.left} x2={width - margin.right} y1={py(level.y)} y2={py(level.y)} />
-            <text class="mark-text" x={width - margin.right - 2} y={py(level.y) - 4} text-anchor="end">{level.text}</text></g>))}
+            <text class="mark-text" x={level.side === "left" ? margin.left + 2 : width - margin.right - 2} y={py(level.y) - 4}
+              text-anchor={level.side === "left" ? "start" : "end"}>{level.text}</text></g>))}
         {props.lines.map((line, i) => (
           <path key={i} class={`line tone-${line.tone}`}
             d={line.x.map((x, j) => `${j === 0 ? "M" : "L"}${px(x).toFixed(1)} ${py(line.y[j] ?? 0).toFixed(1)}`).join("")} />))}

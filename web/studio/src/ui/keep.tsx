@@ -109,7 +109,7 @@ export function KeepPanel({ studio }: { studio: Studio }) {
         )}
         <p class="hint">Frame by frame at exact times, however slow this machine is; with the ghosts that are switched on.</p>
       </Section>
-      <Section title="The style as code" aside={<Segmented label="Language" value={language} onChange={setLanguage}
+      <Section title="Style as code" aside={<Segmented label="Language" value={language} onChange={setLanguage}
         options={[{ value: "ts", text: "TypeScript" }, { value: "cpp", text: "C++" }, { value: "json", text: "JSON" }]} />}>
         <pre class="code" tabIndex={0} aria-label="Style as code"><code>{code}</code></pre>
         <CopyButton label="Copy code" text={() => code} />

@@ -61,8 +61,8 @@ function ImpactChart({ studio, motion, name }: { studio: Studio; motion: Motion;
       <Chart label={`Stretch through the impact at ${impact.time.toFixed(2)} seconds`} unit="" height={190} xUnit="s"
         lines={[{ x: curve.local, y: curve.stretch, tone: "a" }]} range={[low - pad, high + pad]} from={-0.18 * curve.span}
         to={1.18 * curve.span} marks={[{ x: 0, text: "touch" }, { x: timeIn, text: "t_in" }, { x: timeIn + timeOut, text: "t_out" }]}
-        levels={[{ y: stretchIn, text: "s_in" }, { y: stretchMid, text: "s_mid" },
-          ...(Math.abs(stretchOut - stretchIn) > 0.04 * (high - low) ? [{ y: stretchOut, text: "s_out" }] : [])]}
+        levels={[{ y: stretchIn, text: "s_in", side: "left" }, { y: stretchMid, text: "s_mid", side: "left" },
+          { y: stretchOut, text: "s_out", side: "right" }]}
         {...(within && { dot: { x: here, y: at(here) } })} onPick={(x) => studio.scrub(impact.time + x)} />
       <dl class="numbers">
         {([["s_in", stretchIn, ""], ["s_mid", stretchMid, ""], ["s_out", stretchOut, ""], ["t_in", timeIn * 1000, "ms"],

@@ -49,6 +49,12 @@ export interface DirectorEvents {
   onContext(lost: boolean): void;
 }
 
+/** `?quality=1` (best) to `6` holds the quality: for pictures, and for those who know better. */
+function qualityWanted(): number | undefined {
+  const wanted = Number(new URLSearchParams(location.search).get("quality") ?? "");
+  return Number.isInteger(wanted) && wanted >= 1 && wanted <= 6 ? wanted - 1 : undefined;
+}
+
 export class Director {
   readonly stage: Stage;
   readonly controls: OrbitControls;
@@ -71,7 +77,7 @@ export class Director {
   constructor(readonly canvas: HTMLCanvasElement, capability: Capability, theme: ThemeName, show: Show,
     private readonly events: DirectorEvents) {
     this.show = show;
-    this.stage = new Stage(canvas, { theme, capability, onContext: (lost) => {
+    this.stage = new Stage(canvas, { theme, capability, quality: qualityWanted(), onContext: (lost) => {
       events.onContext(lost);
       this.invalidate();
     } });
@@ -145,7 +151,7 @@ export class Director {
   private fit(): void {
     const { camera } = this.stage;
     const aspect = this.canvas.clientWidth / Math.max(this.canvas.clientHeight, 1) / (this.views.length > 1 ? 2 : 1);
-    const back = Math.max(1, 1.55 / Math.max(aspect, 0.3));
+    const back = Math.max(1, 1.3 / Math.max(aspect, 0.3));
     camera.fov = this.home.fov;
     camera.position.copy(this.home.target).add(this.home.eye.clone().sub(this.home.target).multiplyScalar(back));
     camera.near = Math.max(camera.position.distanceTo(this.home.target) / 500, 0.01);
@@ -325,10 +331,12 @@ export class Director {
     this.ray.setFromCamera(place, this.stage.camera);
     return this.ray;
   }
-  /** Where a point of the world is on the page: CSS pixels in the canvas. */
-  placeOf(point: Vector3): { x: number; y: number } {
-    const seen = point.clone().project(this.stage.camera);
-    return { x: (0.5 + seen.x / 2) * this.canvas.clientWidth, y: (0.5 - seen.y / 2) * this.canvas.clientHeight };
+  /** Where a point of the world is on the page, CSS pixels, in the first pane. */
+  placeOf(x: number, y: number, z: number): { x: number; y: number } {
+    const box = this.canvas.getBoundingClientRect();
+    const pane = this.panes()[0] ?? { width: 1, height: 1 };
+    const seen = new Vector3(x, y, z).project(this.stage.camera);
+    return { x: box.left + (0.5 + seen.x / 2) * box.width * pane.width, y: box.top + (0.5 - seen.y / 2) * box.height * pane.height };
   }
 
   /** Renders one picture of any size at a time of the take, apart from what is on the page. */
