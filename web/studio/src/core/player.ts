@@ -85,7 +85,8 @@ export class Player {
   /** One step more than is known. */
   private advance(): void {
     this.applyInputs();
-    this.world.step(1 / kStepsPerSecond);
+    // As the command line steps: to the times of a grid, which do not drift.
+    this.world.step(Math.max((this.at + 1) / kStepsPerSecond - this.world.time, 0));
     this.at += 1;
     if (this.at > this.recorded) {
       this.timeline.capture();
