@@ -15,12 +15,30 @@ function takes(): [string, Take][] {
   const stairs = readTake(file("stairs.json"));
   const hello = readTake(file("hello.json"));
   return [
-    ["stairs, thrown", { ...stairs, inputs: [
-      { kind: "throw", step: 47, body: "ball", position: [-3, 5, 0], velocity: [4, 6, 0] },
-      { kind: "throw", step: 100, body: "can", position: [0, 4, 0], velocity: [-2, 3, 0] }] }],
-    ["hello, joined", { ...hello, inputs: [
-      { kind: "arrival", step: 31, body: { name: "late", shape: Object.keys(hello.scene.shapes!)[0]!, position: [0, 9, 0] } },
-      { kind: "throw", step: 90, body: "late", position: [0, 5, 1], velocity: [0, -9, 0] }] }],
+    [
+      "stairs, thrown",
+      {
+        ...stairs,
+        inputs: [
+          { kind: "throw", step: 47, body: "ball", position: [-3, 5, 0], velocity: [4, 6, 0] },
+          { kind: "throw", step: 100, body: "can", position: [0, 4, 0], velocity: [-2, 3, 0] },
+        ],
+      },
+    ],
+    [
+      "hello, joined",
+      {
+        ...hello,
+        inputs: [
+          {
+            kind: "arrival",
+            step: 31,
+            body: { name: "late", shape: Object.keys(hello.scene.shapes!)[0]!, position: [0, 9, 0] },
+          },
+          { kind: "throw", step: 90, body: "late", position: [0, 5, 1], velocity: [0, -9, 0] },
+        ],
+      },
+    ],
     ["corner", readTake(file("contacts/corner.json"))],
     ["pachinko", readTake(file("pachinko.json"))],
   ];
@@ -59,7 +77,9 @@ test("what is shown between steps is what a world of finer steps is at", () => {
 });
 
 test("golden hashes: the studio shows what native programs work out", () => {
-  const rows = file("../tests/golden/hashes.txt").split("\n").filter((line) => / 60 /.test(line));
+  const rows = file("../tests/golden/hashes.txt")
+    .split("\n")
+    .filter((line) => / 60 /.test(line));
   expect(rows.length).toBeGreaterThan(3);
   for (const row of rows) {
     const [name, , hash] = row.split(" ");
@@ -80,15 +100,21 @@ test("how much of the motion holds for another take", () => {
 
 test("a body that would come in inside an obstacle stays out, and that is told", () => {
   const [, take] = takes()[0]!;
-  const player = new Player({ ...take, inputs: [
-    { kind: "arrival", step: 5, body: { name: "stuck", shape: "ball", position: [0, -5, 0] } }] });
+  const player = new Player({
+    ...take,
+    inputs: [{ kind: "arrival", step: 5, body: { name: "stuck", shape: "ball", position: [0, -5, 0] } }],
+  });
   player.ensure(20);
   expect(player.refused.join()).toMatch(/arrival at 0.08 s.*inside/);
   expect(player.bodies.map(({ name }) => name)).not.toContain("stuck");
 });
 
 test("spacing", () => {
-  const ticks = spacingTicks([{ x: 0, y: 0, z: 0 }, { x: 1, y: 0, z: 0 }, { x: 1, y: 3, z: 0 }]);
+  const ticks = spacingTicks([
+    { x: 0, y: 0, z: 0 },
+    { x: 1, y: 0, z: 0 },
+    { x: 1, y: 3, z: 0 },
+  ]);
   expect(ticks.map(({ share }) => share)).toEqual([0, 0.25, 1]);
   expect(frameTimes(1, 1.1)).toHaveLength(4);
   expect(frameTimes(0, 1)).toHaveLength(25);

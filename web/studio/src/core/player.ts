@@ -1,5 +1,14 @@
 // Plays a take: steps its world, keeps all that happened, and goes to any step again, to the bit.
-import { type Body, BodyDesc, type ElastoonEvent, Scene, type Shape, Timeline, type Vector, type World } from "elastoon";
+import {
+  type Body,
+  BodyDesc,
+  type ElastoonEvent,
+  Scene,
+  type Shape,
+  Timeline,
+  type Vector,
+  type World,
+} from "elastoon";
 import { arrivalsScene, kStepsPerSecond, type Take, type TakeInput, type Triple } from "./take.js";
 
 /** Steps between two snapshots. */
@@ -31,8 +40,11 @@ function dressed(take: Take): Map<string, { desc: BodyDesc; color: number }> {
   for (const body of world.bodies()) {
     const velocity = body.linvel();
     const position = body.translation();
-    const desc = new BodyDesc(body.shape).setStyle(body.style()).setName(body.name)
-      .setTranslation(position.x, position.y, position.z).setLinvel(velocity.x, velocity.y, velocity.z);
+    const desc = new BodyDesc(body.shape)
+      .setStyle(body.style())
+      .setName(body.name)
+      .setTranslation(position.x, position.y, position.z)
+      .setLinvel(velocity.x, velocity.y, velocity.z);
     made.set(body.name, { desc, color: hexOf(body.color) });
   }
   world.dispose();
@@ -200,8 +212,10 @@ export class Player {
   sharesUpTo(take: Take): number {
     if (take.scene !== this.take.scene) return 0;
     const differs = take.inputs.findIndex((input, i) => input !== this.take.inputs[i]);
-    if (differs === -1) return take.inputs.length === this.take.inputs.length ? Infinity
-      : (this.take.inputs[take.inputs.length]?.step ?? 0);
+    if (differs === -1)
+      return take.inputs.length === this.take.inputs.length
+        ? Infinity
+        : (this.take.inputs[take.inputs.length]?.step ?? 0);
     return Math.min(take.inputs[differs]!.step, this.take.inputs[differs]?.step ?? Infinity);
   }
 

@@ -8,8 +8,10 @@ const root = fileURLToPath(new URL("../..", import.meta.url));
 
 export async function open(chromium_path) {
   const server = await preview({ root, logLevel: "error", preview: { port: 0, host: "127.0.0.1" } });
-  const browser = await chromium.launch({ executablePath: chromium_path,
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
+  const browser = await chromium.launch({
+    executablePath: chromium_path,
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
   const complaints = [];
   const address = server.resolvedUrls.local[0];
 
@@ -81,8 +83,12 @@ export async function download(page, act) {
 }
 
 /** Drops files on the page, or gives them to the file chooser. */
-export const give = (page, ...files) => page.locator('input[type="file"]').setInputFiles(files.map(([name, content]) => ({ name,
-  mimeType: "application/octet-stream", buffer: Buffer.from(content) })));
+export const give = (page, ...files) =>
+  page
+    .locator('input[type="file"]')
+    .setInputFiles(
+      files.map(([name, content]) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(content) })),
+    );
 
 let passed = 0;
 export async function check(name, work) {

@@ -1,4 +1,5 @@
-// The studio in Chromium: plays, scrubs, throws, tunes, keeps, opens, refuses. Usage: node main.mjs [CHROMIUM] [FOLDER FOR PICTURES]
+// The studio in Chromium: plays, scrubs, throws, tunes, keeps, opens, refuses. Usage: node main.mjs [CHROMIUM]
+// [FOLDER FOR PICTURES]
 import { readFileSync, mkdirSync } from "node:fs";
 import validator from "gltf-validator";
 import { assert, check, count, download, give, hashAt, open, panel, pause, told } from "./harness.mjs";
@@ -94,22 +95,33 @@ try {
     await page.locator(".chart .line").first().waitFor();
     assert.equal(await page.locator(".numbers dt").count(), 6);
     const time = await page.evaluate(() => studio.time.value);
-    await page.locator(".chart .pickable").first().click({ position: { x: 200, y: 60 } });
+    await page
+      .locator(".chart .pickable")
+      .first()
+      .click({ position: { x: 200, y: 60 } });
     assert.notEqual(await page.evaluate(() => studio.time.value), time);
   });
   await check("things are added, thrown by numbers, and deleted", async () => {
     await panel(page, "Things");
     await page.getByRole("button", { name: "Capsule" }).click();
     await page.getByRole("button", { name: "Ramp" }).click();
-    const scene = await page.evaluate(() => ({ count: studio.players.value[0].bodies.length,
-      obstacles: studio.take.value.scene.obstacles.length }));
+    const scene = await page.evaluate(() => ({
+      count: studio.players.value[0].bodies.length,
+      obstacles: studio.take.value.scene.obstacles.length,
+    }));
     assert.deepEqual(scene, { count: 2, obstacles: 6 });
     await page.getByRole("button", { name: "Delete" }).click();
-    await page.locator(".things").getByRole("button", { name: /capsule/ }).click();
+    await page
+      .locator(".things")
+      .getByRole("button", { name: /capsule/ })
+      .click();
     await page.getByRole("button", { name: "Throw now" }).click();
     await pause(page);
     await page.getByRole("button", { name: "Delete" }).click();
-    assert.deepEqual(await page.evaluate(() => [studio.players.value[0].bodies.length, studio.take.value.scene.obstacles.length]), [1, 5]);
+    assert.deepEqual(
+      await page.evaluate(() => [studio.players.value[0].bodies.length, studio.take.value.scene.obstacles.length]),
+      [1, 5],
+    );
   });
 
   await check("a take is kept as a file and opened again: the same hash", async () => {
@@ -164,9 +176,17 @@ try {
     assert.ok(await page.evaluate(() => studio.players.value[0].bodies.some(({ name }) => name === "peak")));
   });
   await check("pictures and films", async () => {
-    await give(page, ["short.json", JSON.stringify({ elastoon: 1, name: "Short", duration: 0.5,
-      shapes: { b: { type: "sphere", radius: 0.5 } }, bodies: [{ shape: "b", position: [0, 1, 0] }],
-      obstacles: [{ type: "plane", normal: [0, 1, 0] }] })]);
+    await give(page, [
+      "short.json",
+      JSON.stringify({
+        elastoon: 1,
+        name: "Short",
+        duration: 0.5,
+        shapes: { b: { type: "sphere", radius: 0.5 } },
+        bodies: [{ shape: "b", position: [0, 1, 0] }],
+        obstacles: [{ type: "plane", normal: [0, 1, 0] }],
+      }),
+    ]);
     await told(page, "Opened short.json");
     await panel(page, "Keep");
     await page.getByLabel("Size").selectOption("small");
@@ -186,8 +206,16 @@ try {
     await panel(page, "Scenes");
     for (const [name, content, words] of [
       ["broken.json", '{"elastoon": 1,', /broken.json is not JSON/],
-      ["typo.json", '{"elastoon":1,"shapes":{"ball":{"type":"sphere","radius":1}},"bodies":[{"shape":"bal"}]}', /bodies\/0\/shape.*"ball"/],
-      ["inside.json", JSON.stringify({ ...before.scene, bodies: [{ shape: "b", position: [0, 0, 0] }] }), /inside the obstacle/],
+      [
+        "typo.json",
+        '{"elastoon":1,"shapes":{"ball":{"type":"sphere","radius":1}},"bodies":[{"shape":"bal"}]}',
+        /bodies\/0\/shape.*"ball"/,
+      ],
+      [
+        "inside.json",
+        JSON.stringify({ ...before.scene, bodies: [{ shape: "b", position: [0, 0, 0] }] }),
+        /inside the obstacle/,
+      ],
       ["notes.txt", "hello", /opens scenes and takes/],
       ["torn.glb", "glTF\u0002\u0000", /torn.glb/],
       ["flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", /flat.obj.*four points/],
@@ -211,9 +239,12 @@ try {
     await other.context().close();
   });
   await check("without WebGL 2 it says so", async () => {
-    const other = await visit("", { expectFailure: true, before: () => {
-      HTMLCanvasElement.prototype.getContext = () => null;
-    } });
+    const other = await visit("", {
+      expectFailure: true,
+      before: () => {
+        HTMLCanvasElement.prototype.getContext = () => null;
+      },
+    });
     await other.getByRole("heading", { name: "This browser cannot draw the studio" }).waitFor();
     await other.context().close();
   });
@@ -235,8 +266,13 @@ try {
   await check("it works without a network once it was loaded", async () => {
     const other = await visit();
     await other.evaluate(() => navigator.serviceWorker.ready);
-    await other.waitForFunction(async () => (await caches.keys()).some((name) => name.startsWith("elastoon-studio-")) &&
-      navigator.serviceWorker.controller !== null, null, { timeout: 20000 });
+    await other.waitForFunction(
+      async () =>
+        (await caches.keys()).some((name) => name.startsWith("elastoon-studio-")) &&
+        navigator.serviceWorker.controller !== null,
+      null,
+      { timeout: 20000 },
+    );
     await other.context().setOffline(true);
     await other.reload();
     await other.waitForSelector(".play");
