@@ -5,8 +5,7 @@ export const patternNames = ["checker", "two-tone", "stripes", "gores", "plain"]
 export type PatternName = (typeof patternNames)[number];
 
 /** 1 where the second colour shows. `p` is the point of the body, each axis from -1 to 1; x is the principal axis.
- *  Edges are as
- *  soft as a pixel. */
+ *  Edges are as soft as a pixel. */
 const glsl = /* glsl */ `
 varying vec3 vBodyPoint;
 uniform vec3 uSecond;

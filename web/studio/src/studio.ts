@@ -21,7 +21,7 @@ import {
 } from "./core/edit.js";
 import { gallery } from "./core/gallery.js";
 import { History } from "./core/history.js";
-import { packedIn, unpackTake } from "./core/link.js";
+import { packedIn, packTake, unpackTake } from "./core/link.js";
 import { Player } from "./core/player.js";
 import {
   durationOf,
@@ -156,7 +156,10 @@ export class Studio {
     let players: Player[];
     try {
       const before = this.players.value[0];
-      players = [before !== undefined && before.sharesUpTo(take) === Infinity ? before : new Player(take)];
+      if (before !== undefined && before.sharesUpTo(take) > 0) {
+        before.goOnAs(take);
+        players = [before];
+      } else players = [new Player(take)];
       if (this.other.value !== null) {
         players.push(new Player(setStyle(take, this.bodyIndex.peek(), this.other.value)));
       }
@@ -178,7 +181,28 @@ export class Studio {
     });
     this.refreshSelection();
     this.hash.value = "";
+    this.keepForNextTime();
     return true;
+  }
+
+  /** The last take is kept in the browser, so that closing the page loses nothing. */
+  private keepForNextTime(): void {
+    clearTimeout(this.keeping);
+    this.keeping = setTimeout(() => {
+      if (this.take.value.scene !== this.welcome) store("last", packTake(this.take.value));
+    }, 1500);
+  }
+  private keeping: ReturnType<typeof setTimeout> | undefined;
+  private readonly welcome = this.history.value.scene;
+  readonly hasLast = signal(stored("last") !== null);
+  async openLast(): Promise<void> {
+    const packed = stored("last");
+    if (packed === null) return;
+    try {
+      await this.openText(unpackTake(packed), "the last scene");
+    } catch (error) {
+      this.tell((error as Error).message, "error");
+    }
   }
 
   /** Changes the document. Ticks of one gesture are undone together. */

@@ -95,7 +95,40 @@ test("how much of the motion holds for another take", () => {
   const player = new Player(take);
   expect(player.sharesUpTo(take)).toBe(Infinity);
   expect(player.sharesUpTo({ ...take, inputs: take.inputs.slice(0, 1) })).toBe(100);
-  expect(player.sharesUpTo({ ...take, scene: { ...take.scene } })).toBe(0);
+  expect(player.sharesUpTo({ ...take, scene: { ...take.scene, duration: 3 } })).toBe(Infinity);
+  expect(player.sharesUpTo({ ...take, scene: { ...take.scene, gravity: [0, 0, 0] } })).toBe(0);
+});
+
+test("a player that goes on as another take is that take's player", () => {
+  let seed = 3;
+  const random = (below: number) => {
+    seed = (seed * 1103515245 + 12345) % 2147483648;
+    return seed % below;
+  };
+  let [, take] = takes()[1]!;
+  const scene = take.scene;
+  const going = new Player(take);
+  const names = ["late", ...scene.bodies!.map((body) => body.name!)];
+  for (let round = 0; round < 25; ++round) {
+    going.ensure(40 + random(160));
+    const step = 32 + random(120);
+    const inputs = take.inputs.filter((input) => input.step < step || random(2) === 0);
+    const body = inputs.some((input) => input.kind === "arrival") ? names[random(names.length)]! : names[1]!;
+    const velocity = [random(9) - 4, random(9) - 4, 0] as const;
+    const thrown = { kind: "throw", step, body, position: [random(5), 6 + random(4), 0], velocity } as const;
+    take = { scene: { ...scene, duration: 5 + random(3) }, inputs: [...inputs.filter((input) => input.step < step), thrown] };
+    expect(going.sharesUpTo(take)).toBeGreaterThan(0);
+    going.goOnAs(take);
+    const fresh = new Player(take);
+    for (const at of [200, random(200), step + 1]) expect(going.hashAt(at), `round ${round}`).toBe(fresh.hashAt(at));
+    going.ensure(200);
+    fresh.ensure(200);
+    const shown = (player: Player) => [...player.matricesAt(1.234)];
+    expect(shown(going)).toEqual(shown(fresh));
+    expect(going.events().map(({ time, type }) => [time, type])).toEqual(fresh.events().map(({ time, type }) => [time, type]));
+    expect(going.bodies.map(({ name }) => name)).toEqual(fresh.bodies.map(({ name }) => name));
+    fresh.dispose();
+  }
 });
 
 test("a body that would come in inside an obstacle stays out, and that is told", () => {

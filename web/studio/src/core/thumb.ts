@@ -1,6 +1,5 @@
-// Small pictures of takes as outlines: a strobe of what moves, seen from the scene's camera. Sharp at any size, in
-// the theme's
-// colours.
+// Small pictures of takes as outlines: a strobe of what moves, seen from the scene's camera. Sharp at any size, in the
+// theme's colours.
 import { PerspectiveCamera, Vector3 } from "three";
 import type { Shape } from "elastoon";
 import { Player } from "./player.js";

@@ -1,5 +1,5 @@
 // The gallery, and opening one's own files.
-import { FolderOpen } from "lucide-preact";
+import { FolderOpen, History } from "lucide-preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { gallery, type GalleryScene } from "../core/gallery.js";
 import { readTake } from "../core/take.js";
@@ -80,6 +80,11 @@ export function ScenesPanel({ studio }: { studio: Studio }) {
             event.currentTarget.value = "";
           }}
         />
+        {studio.hasLast.value ? (
+          <button type="button" class="button" onClick={() => void studio.openLast()}>
+            <History size="1.1em" aria-hidden="true" /> Last scene
+          </button>
+        ) : null}
         <p class="note">Scenes, takes (.json) and meshes (.glb, .obj). Drop them anywhere, too.</p>
       </div>
       {groups.map((group) => (

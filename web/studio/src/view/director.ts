@@ -367,14 +367,19 @@ export class Director {
     this.tally = { frames: 0, simulation: 0, work: 0, since: performance.now() };
   }
 
+  /** The pane that the last ray fell into: its place in `views`. */
+  pane = 0;
   /** A ray through a place of the page, in the pane that it falls into. */
   rayAt(x: number, y: number): Raycaster {
     const box = this.canvas.getBoundingClientRect();
     const place = new Vector2((x - box.left) / box.width, (y - box.top) / box.height);
-    const pane = this.panes().find(
+    const panes = this.panes();
+    const found = panes.findIndex(
       (each) =>
         place.x >= each.x && place.x <= each.x + each.width && place.y >= each.y && place.y <= each.y + each.height,
-    ) ?? { x: 0, y: 0, width: 1, height: 1 };
+    );
+    this.pane = Math.max(found, 0);
+    const pane = panes[this.pane] ?? { x: 0, y: 0, width: 1, height: 1 };
     place.set((2 * (place.x - pane.x)) / pane.width - 1, 1 - (2 * (place.y - pane.y)) / pane.height);
     this.stage.camera.aspect = (box.width * pane.width) / Math.max(box.height * pane.height, 1);
     this.stage.camera.updateProjectionMatrix();

@@ -13,7 +13,7 @@ export function useHands(studio: Studio): void {
 
   /** The body that is seen there: not behind a solid. */
   const bodyAt = (ray: Raycaster): string | null => {
-    const view = director.views[0];
+    const view = director.views[director.pane];
     if (view === undefined) return null;
     const index = view.pickBody(ray);
     return view.player.bodies.find((played) => played.body.index === index)?.name ?? null;
@@ -47,7 +47,7 @@ export function useHands(studio: Studio): void {
         }
         return;
       }
-      const player = studio.players.value[0];
+      const player = studio.players.value[director.pane];
       const played = player?.bodyNamed(name);
       if (player === undefined || played === undefined || name === null) return;
       event.preventDefault();

@@ -67,13 +67,15 @@ export async function hashAt(page, step) {
   return page.locator(".figures code").textContent();
 }
 
-/** A text of the page's messages that matches. */
+/** A text of the page's messages that matches; then they are gone. */
 export async function told(page, words) {
-  const toast = page.locator(".toast", { hasText: words });
-  await toast.first().waitFor({ timeout: 20000 });
-  const text = await toast.first().innerText();
-  await toast.first().getByRole("button", { name: "Dismiss" }).click();
-  return text;
+  const pattern = typeof words === "string" ? words.replace(/[.*+?^${}()|[\]\\]/g, "\\$&") : words.source;
+  const found = await page.waitForFunction(
+    (source) => [...document.querySelectorAll(".toast:not(.busy)")].map((toast) => toast.innerText)
+      .find((text) => new RegExp(source).test(text)),
+    pattern, { timeout: 40000, polling: 50 });
+  await page.evaluate(() => studio.toasts.value.forEach(({ id }) => studio.dismiss(id)));
+  return found.jsonValue();
 }
 
 export async function download(page, act) {

@@ -85,6 +85,19 @@ try {
     const [a, b] = await page.evaluate(() => studio.players.value.map((player) => player.hashAt(100)));
     assert.equal(a, thrown);
     assert.notEqual(b, thrown);
+    const box = await page.locator(".picture canvas").boundingBox();
+    await page.getByRole("slider", { name: "Time" }).fill("1.5");
+    const place = await page.evaluate(() => {
+      const { x, y, z } = studio.players.value[1].motionOf(studio.players.value[1].bodies[0].body, [1.5]).poses[0].position;
+      return studio.director.placeOf(x, y, z);
+    });
+    await page.mouse.move(place.x + box.width / 2, place.y);
+    await page.mouse.down();
+    await page.mouse.move(place.x + box.width / 2 - 40, place.y + 30, { steps: 3 });
+    await page.getByText(/m\/s$/).first().waitFor();
+    await page.keyboard.press("Escape");
+    await page.mouse.up();
+    assert.equal(await page.evaluate(() => studio.take.value.inputs.length), 1);
     await page.getByRole("button", { name: "Keep B" }).click();
     assert.equal(await hashAt(page, 100), b);
     await page.getByRole("button", { name: "Undo" }).click();
@@ -226,6 +239,11 @@ try {
       assert.deepEqual(await page.evaluate(() => studio.take.value), before, name);
     }
   });
+  await check("a message can be sent away", async () => {
+    await give(page, ["notes.txt", "hello"]);
+    await page.getByRole("button", { name: "Dismiss" }).click();
+    await page.locator(".toast").waitFor({ state: "detached" });
+  });
   await check("a stranger's names are text, and links are data", async () => {
     const other = await visit(linkTo(hostileNames()));
     await told(other, "Opened the link");
@@ -262,6 +280,17 @@ try {
     const other = await visit("", { reducedMotion: "reduce" });
     assert.equal(await other.evaluate(() => studio.playing.value), false);
     await other.context().close();
+  });
+  await check("the last scene can be opened again", async () => {
+    const { bodies } = await page.evaluate(() => studio.take.value.scene);
+    await page.waitForFunction(() => localStorage.getItem("elastoon-studio-last") !== null);
+    await page.waitForTimeout(1600);
+    await page.reload();
+    await page.waitForSelector(".play");
+    await panel(page, "Scenes");
+    await page.getByRole("button", { name: "Last scene" }).click();
+    await told(page, "Opened the last scene");
+    assert.deepEqual(await page.evaluate(() => studio.take.value.scene.bodies), bodies);
   });
   await check("it works without a network once it was loaded", async () => {
     const other = await visit();
