@@ -56,8 +56,8 @@ export const bindings: readonly KeyBinding[] = [
   { keys: ["?"], shown: "?", text: "This sheet", act: (studio) => (studio.help.value = !studio.help.value) },
 ];
 
-/** Keys that a focused control needs for itself. */
-function belongsToControl(event: KeyboardEvent): boolean {
+/** Keys that a focused control needs for itself. `pointed`: it has the focus because it was clicked. */
+function belongsToControl(event: KeyboardEvent, pointed: boolean): boolean {
   const target = event.target as HTMLElement | null;
   if (target === null) return false;
   const { tagName } = target;
@@ -66,17 +66,20 @@ function belongsToControl(event: KeyboardEvent): boolean {
     const range = (target as HTMLInputElement).type === "range";
     return !range || /^(Arrow|Home|End|Page)/.test(event.key);
   }
-  return (
-    (tagName === "BUTTON" || tagName === "A" || tagName === "SUMMARY") && (event.key === " " || event.key === "Enter")
-  );
+  // What was clicked keeps the focus, but nobody sees it: Space is for playing then.
+  const wants = tagName === "BUTTON" || tagName === "A" || tagName === "SUMMARY";
+  return wants && (event.key === " " || event.key === "Enter") && !pointed;
 }
 
 export function listen(studio: Studio): () => void {
+  let pointed = false;
+  const point = () => (pointed = true);
   const handle = (event: KeyboardEvent) => {
+    if (event.key === "Tab") pointed = false;
     if (
       event.altKey ||
       event.defaultPrevented ||
-      belongsToControl(event) ||
+      belongsToControl(event, pointed) ||
       document.querySelector("dialog[open]") !== null
     )
       return;
@@ -89,8 +92,13 @@ export function listen(studio: Studio): () => void {
     const binding = bindings.find((each) => each.keys.includes(key));
     if (binding === undefined) return;
     event.preventDefault();
+    if (event.key === " ") (document.activeElement as HTMLElement | null)?.blur();
     binding.act(studio);
   };
   addEventListener("keydown", handle);
-  return () => removeEventListener("keydown", handle);
+  addEventListener("pointerdown", point, { capture: true });
+  return () => {
+    removeEventListener("keydown", handle);
+    removeEventListener("pointerdown", point, { capture: true });
+  };
 }

@@ -51,7 +51,7 @@ export async function panel(page, name) {
 }
 
 export const pause = async (page) => {
-  if (await page.evaluate(() => studio.playing.value)) await page.keyboard.press("Space");
+  if (await page.evaluate(() => studio.playing.value)) await page.locator(".play").click();
   await page.waitForFunction(() => !studio.playing.value);
 };
 

@@ -31,6 +31,14 @@ try {
     assert.equal(await page.evaluate(() => studio.step), before + 2);
     await page.keyboard.press(",");
     assert.equal(await page.evaluate(() => studio.step), before + 1);
+    // A button that was clicked does not keep Space for itself.
+    const [throws, edits] = ["Throw", "Edit"].map((name) => page.getByRole("button", { name, exact: true }));
+    await edits.click();
+    await page.keyboard.press("Space");
+    await page.waitForFunction(() => studio.playing.value);
+    await page.keyboard.press("Space");
+    await page.waitForFunction(() => !studio.playing.value);
+    await throws.click();
   });
   await check("a scrubbed-to state is the played one", async () => {
     const played = await hashAt(page, 150);
