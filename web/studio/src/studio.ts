@@ -107,10 +107,15 @@ export class Studio {
   /** Place of the body that the panels are about among all bodies of the take. */
   readonly bodyIndex = computed(() => {
     void this.known.value;
-    const name = this.selectedBody.value;
-    const at = this.players.value[0]?.bodies.findIndex((played) => played.name === name) ?? -1;
-    return Math.max(at, 0);
+    return Math.max(this.indexOf(this.selectedBody.value), 0);
   });
+  /** Place of the body of this name among all bodies of the take, or -1. */
+  private indexOf(name: string | null): number {
+    const { scene, inputs } = this.take.value;
+    const arrived = inputs.filter((input) => input.kind === "arrival").findIndex((input) => input.body.name === name);
+    if (arrived >= 0) return (scene.bodies?.length ?? 0) + arrived;
+    return this.players.value[0]?.bodyNamed(name)?.source ?? -1;
+  }
 
   director!: Director;
   private toastCount = 0;
@@ -482,9 +487,9 @@ export class Studio {
     return this.change(changeObstacle(this.take.value, index, change), gesture);
   }
   moveBody(name: string, position: Triple, gesture?: string): boolean {
-    const index = this.players.value[0]!.bodies.findIndex((played) => played.name === name);
-    const played = this.players.value[0]!.bodies[index];
+    const played = this.players.value[0]!.bodyNamed(name);
     if (played === undefined) return false;
+    const index = played.source;
     if (this.step === played.since) return this.change(changeBody(this.take.value, index, { position }), gesture);
     const { velocities } = this.players.value[0]!.motionOf(played.body, [this.director.show.time]);
     const { x, y, z } = velocities[0]!;
@@ -495,7 +500,7 @@ export class Studio {
   }
   removeSelected(): void {
     const selection = this.selection.value;
-    if (selection === null) return;
+    if (selection === null || (selection.kind === "body" && this.indexOf(selection.name) < 0)) return;
     const take =
       selection.kind === "obstacle"
         ? removeObstacle(this.take.value, selection.index)
@@ -519,7 +524,7 @@ export class Studio {
       .map((played) => {
         const { poses, velocities } = player.motionOf(played.body, [time]);
         const [{ position }, velocity] = [poses[0]!, velocities[0]!];
-        const from_file = bodiesOf(this.take.value)[player.bodies.indexOf(played)]!;
+        const from_file = bodiesOf(this.take.value)[played.source]!;
         return {
           ...from_file,
           name: played.name,

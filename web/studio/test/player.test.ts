@@ -131,6 +131,15 @@ test("a player that goes on as another take is that take's player", () => {
   }
 });
 
+test("bodies know their place in the take, also where one before them was refused", () => {
+  const [, take] = takes()[0]!;
+  const arrival = (step: number, name: string, y: number) =>
+    ({ kind: "arrival", step, body: { name, shape: "ball", position: [-6, y, 0.8] } }) as const;
+  const player = new Player({ ...take, inputs: [arrival(5, "stuck", -5), arrival(8, "free", 9)] });
+  player.ensure(30);
+  expect(player.bodies.map(({ name, source }) => [name, source])).toEqual([["ball", 0], ["can", 1], ["free", 3]]);
+});
+
 test("a body that would come in inside an obstacle stays out, and that is told", () => {
   const [, take] = takes()[0]!;
   const player = new Player({

@@ -23,6 +23,8 @@ export interface PlayedBody {
   readonly color: number;
   /** Of the step before which it comes in. */
   readonly since: number;
+  /** Its place among all bodies of the take: those of the scene, then those that come in. */
+  readonly source: number;
 }
 
 const vectorOf = ([x, y, z]: Triple): Vector => ({ x, y, z });
@@ -77,10 +79,10 @@ export class Player {
     this.scene = Scene.parse(take.scene);
     this.world = this.scene.stage();
     this.arrivals = dressed(take);
-    for (const body of this.world.bodies()) {
-      this.bodies.push({ body, name: body.name, color: hexOf(body.color), since: 0 });
+    this.world.bodies().forEach((body, source) => {
+      this.bodies.push({ body, name: body.name, color: hexOf(body.color), since: 0, source });
       this.names.set(body.name, body);
-    }
+    });
     this.timeline = new Timeline(this.world);
     this.keepSnapshot();
   }
@@ -136,7 +138,9 @@ export class Player {
     const body = this.world.createBody(desc);
     this.names.set(body.name, body);
     if (!this.bodies.some(({ name }) => name === body.name)) {
-      this.bodies.push({ body, name: body.name, color, since: input.step });
+      const arrivals = this.take.inputs.filter((other) => other.kind === "arrival");
+      const source = (this.take.scene.bodies?.length ?? 0) + arrivals.indexOf(input);
+      this.bodies.push({ body, name: body.name, color, since: input.step, source });
     }
   }
 

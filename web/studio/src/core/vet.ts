@@ -1,8 +1,11 @@
 // Takes from files and links are played in a worker first: one that would hang the page is refused instead.
 import { InputError } from "./limits.js";
 
-/** ms without a sign of life. */
+/** ms without a sign of life, once the worker has begun, and before that: it has to be loaded. */
 const kPatience = 3000;
+const kStartPatience = 20_000;
+/** ms between two looks. */
+const kTick = 250;
 /** ms after which a take that goes on steadily is taken as it is. */
 const kEnough = 5000;
 
@@ -12,27 +15,25 @@ export function vet(text: string, what: string): Promise<void> {
   return new Promise((resolve, reject) => {
     const worker = new Worker(new URL("./vet.worker.ts", import.meta.url), { type: "module", name: "vet" });
     const began = performance.now();
-    let heard = began;
+    // Silence is counted by looks: a page that stood still itself has not heard what was said meanwhile.
+    let silent = 0;
+    let patience = kStartPatience;
     const end = (settle: () => void) => {
       clearInterval(watch);
       worker.terminate();
       settle();
     };
+    const advice = "use fewer or slower bodies, or softer styles";
     const watch = setInterval(() => {
-      if (performance.now() - heard > kPatience) {
-        end(() =>
-          reject(
-            new InputError(
-              `${what}: working out how it moves takes too long; use fewer or slower bodies, or ` + "softer styles",
-            ),
-          ),
-        );
-      }
-    }, 250);
+      silent += kTick;
+      if (silent <= patience) return;
+      end(() => reject(new InputError(`${what}: working out how it moves takes too long; ${advice}`)));
+    }, kTick);
     worker.onmessage = (event: MessageEvent<{ kind: string; message?: string }>) => {
-      heard = performance.now();
+      silent = 0;
+      patience = kPatience;
       if (event.data.kind === "refused") end(() => reject(new InputError(event.data.message ?? "refused")));
-      else if (event.data.kind === "done" || heard - began > kEnough) end(resolve);
+      else if (event.data.kind === "done" || performance.now() - began > kEnough) end(resolve);
     };
     worker.onerror = (event) => end(() => reject(new InputError(event.message || `${what} could not be looked at`)));
     worker.postMessage({ text, what });

@@ -40,7 +40,7 @@ export async function glbOf(player: Player, meshes: ReadonlyMap<string, Object3D
   ];
   player.bodies.forEach((played, i) => {
     const material = new MeshStandardMaterial({ color: new Color(played.color), roughness: 0.5 });
-    const template = meshes.get(all[i]?.shape ?? "");
+    const template = meshes.get(all[played.source]?.shape ?? "");
     const node =
       template === undefined
         ? new Mesh(displayGeometry(played.body.shape), material)

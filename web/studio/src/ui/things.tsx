@@ -231,7 +231,7 @@ export function ThingsPanel({ studio }: { studio: Studio }) {
               >
                 <span class="dot" style={{ background: `#${each.color.toString(16).padStart(6, "0")}` }} />
                 {each.name}
-                <small>{bodiesOf(studio.take.value)[played.indexOf(each)]?.style ?? ""}</small>
+                <small>{bodiesOf(studio.take.value)[each.source]?.style ?? ""}</small>
               </button>
             </li>
           ))}

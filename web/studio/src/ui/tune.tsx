@@ -172,10 +172,13 @@ export function TunePanel({ studio }: { studio: Studio }) {
           Body
           <select
             value={String(index)}
-            onChange={(event) => studio.selectBody(played[Number(event.currentTarget.value)]?.name ?? null)}
+            onChange={(event) => {
+              const source = Number(event.currentTarget.value);
+              studio.selectBody(played.find((each) => each.source === source)?.name ?? null);
+            }}
           >
-            {played.slice(0, 300).map((each, i) => (
-              <option key={each.name} value={String(i)}>
+            {played.slice(0, 300).map((each) => (
+              <option key={each.name} value={String(each.source)}>
                 {each.name}
               </option>
             ))}

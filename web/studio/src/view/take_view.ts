@@ -76,8 +76,8 @@ export class TakeView {
       ...(take.scene.bodies ?? []),
       ...take.inputs.flatMap((input) => (input.kind === "arrival" ? [input.body] : [])),
     ].map((body) => body.shape);
-    this.looks = bodies.map(({ body, color }, i): BodyLook => {
-      const template = this.options.meshes.get(shape_names[i] ?? "");
+    this.looks = bodies.map(({ body, color, source }): BodyLook => {
+      const template = this.options.meshes.get(shape_names[source] ?? "");
       return {
         index: body.index,
         shape: body.shape,

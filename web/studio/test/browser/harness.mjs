@@ -73,7 +73,9 @@ export async function told(page, words) {
   const found = await page.waitForFunction(
     (source) => [...document.querySelectorAll(".toast:not(.busy)")].map((toast) => toast.innerText)
       .find((text) => new RegExp(source).test(text)),
-    pattern, { timeout: 40000, polling: 50 });
+    pattern, { timeout: 60000, polling: 50 }).catch(async (error) => {
+    throw new Error(`not told: ${pattern}; ${await page.locator('.toasts').innerText()}; ${error.message}`);
+  });
   await page.evaluate(() => studio.toasts.value.forEach(({ id }) => studio.dismiss(id)));
   return found.jsonValue();
 }
