@@ -31,7 +31,9 @@ export async function open(chromium_path) {
     if (before !== undefined) await page.addInitScript(before);
     await page.goto(address + suffix);
     if (!expectFailure) {
-      await page.waitForSelector(".play", { timeout: 60000 });
+      await page.waitForSelector(".play", { timeout: 90000 }).catch(async (error) => {
+        throw new Error(`the page shows: ${await page.locator("body").innerText()}; ${error.message}`);
+      });
       await page.waitForFunction(() => document.querySelector(".toast.busy") === null);
     }
     return page;

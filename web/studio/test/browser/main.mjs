@@ -301,6 +301,7 @@ try {
     await told(page, "Opened the last scene");
     assert.deepEqual(await page.evaluate(() => studio.take.value.scene.bodies), bodies);
   });
+  await page.context().close();
   await check("it works without a network once it was loaded", async () => {
     const other = await visit("?quality=6");
     await other.evaluate(() => navigator.serviceWorker.ready);
@@ -317,7 +318,6 @@ try {
     await other.waitForFunction(() => studio.time.value > 0);
     await other.context().close();
   });
-  await page.context().close();
   await lookAtViews(visit, pictures);
   await check("nothing was said on the console", async () => {
     const real = complaints.filter((text) => !/CONTEXT_LOST|Context Lost|ERR_INTERNET_DISCONNECTED/.test(text));
