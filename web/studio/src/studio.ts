@@ -122,7 +122,7 @@ export class Studio {
   private pending: { take: Take; gesture: string | undefined } | null = null;
 
   /** Begins with the take of the address, or with the welcome. */
-  async start(canvas: HTMLCanvasElement, capability: Capability): Promise<void> {
+  start(canvas: HTMLCanvasElement, capability: Capability): void {
     const show: Show = {
       time: 0,
       playing: false,
@@ -150,7 +150,7 @@ export class Studio {
     this.setTake(this.take.value, { frame: true });
     this.selectBody(this.players.value[0]?.bodies[0]?.name ?? null);
     this.setPlaying(!reducedMotion());
-    await this.openLink(location.hash);
+    void this.openLink(location.hash);
     addEventListener("hashchange", () => void this.openLink(location.hash));
   }
 

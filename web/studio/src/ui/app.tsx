@@ -231,11 +231,10 @@ function Picture({ studio, capability }: { studio: Studio; capability: Capabilit
   const [upright, setUpright] = useState(false);
   useEffect(() => {
     const element = canvas.current!;
-    void studio.start(element, capability).then(() => {
-      useHands(studio);
-      setReady(true);
-      if (innerWidth >= 1000) studio.panel.value = "tune";
-    });
+    studio.start(element, capability);
+    useHands(studio);
+    setReady(true);
+    if (innerWidth >= 1000) studio.panel.value = "tune";
     const watcher = new ResizeObserver(([entry]) => {
       const size = entry?.contentRect;
       if (size === undefined || size.width === 0) return;
