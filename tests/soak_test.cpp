@@ -2,10 +2,8 @@
 // ELASTOON_SOAK multiplies the worlds: at 50 they are a million body-steps.
 #include "closest.h"
 #include "closest_support.h"
-#include "contact.h"
 #include "oracle.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -162,18 +160,8 @@ double distanceOf(const World& world, BodyId body, ObstacleId obstacle) {
     return closest.overlap ? 0.0 : closest.distance;
 }
 
-/// Between two that press it the body has no room, whatever its form.
-bool isCrushed(const World& world, BodyId body) {
-    const Phase& phase = world.phase(body);
-    return std::any_of(phase.clear_of.begin(), phase.clear_of.end(), [&](const KeptClear& kept) {
-        return kept.presses && gapTo(kept.surface, *world.shape(body), world.pose(body), world.time()) <
-                                   -OracleReport::kMostSolidDepth * world.shape(body)->length();
-    });
-}
-
 struct Tally {
     long steps = 0, near = 0, impacts = 0, rests = 0;
-    int crushed = 0; ///< worlds that were left out
     OracleReport worst;
 };
 
@@ -199,10 +187,6 @@ void play(const Scene& scene, int index, Tally& tally) {
             double least = std::numeric_limits<double>::infinity();
             for (const ObstacleId obstacle : staged.obstacles) {
                 least = std::min(least, distanceOf(staged.world, body, obstacle));
-            }
-            if (isCrushed(staged.world, body)) {
-                ++tally.crushed;
-                return;
             }
             ++tally.steps;
             tally.near += least < 0.5 * staged.world.shape(body)->length() ? 1 : 0;
@@ -235,7 +219,6 @@ void expectBounds(const Tally& tally) {
                     tally.steps, tally.near, tally.impacts, tally.rests, tally.worst.poses, tally.worst.depth.value,
                     tally.worst.solid_depth.value, tally.worst.gap.value, tally.worst.volume_error.value,
                     tally.worst.jump.value);
-        std::printf("soak: %d worlds left out because a body was crushed\n", tally.crushed);
     }
 }
 
@@ -253,8 +236,7 @@ TEST(Soak, AllShapesAmongAllObstaclesHoldTheirBounds) {
 }
 
 /// Slabs and needles between solids that cut each other: wedges, edges, corners of all kinds. Gaps are not judged: what
-/// waits keeps a body off by a plane, which goes on where the solid ends (docs/contacts.md). Where two that move close
-/// on a body altogether, nothing can be kept.
+/// waits keeps a body off by a plane, which goes on where the solid ends (docs/contacts.md).
 TEST(Soak, CrowdedSolidsHoldTheirBounds) {
     Tally tally;
     const int worlds = kWorlds * soak();
@@ -264,7 +246,6 @@ TEST(Soak, CrowdedSolidsHoldTheirBounds) {
         play(scene, i, tally);
     }
     expectBounds(tally);
-    EXPECT_LE(tally.crushed, 1 + worlds / 200);
 }
 
 } // namespace
