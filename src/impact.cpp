@@ -177,11 +177,16 @@ double brushing(const Impact& impact, const Meeting& meeting, const Style& style
 /// angle does in the limit: docs/contacts.md.
 void planImpact(Impact& impact, const Touching& touching, const Meeting& meeting, const Shape& shape,
                 const Style& style) {
+    const bool turning = impact.surface.frame.angular_velocity != Vec3(0.0);
     const auto plan = [&](double sticks, const Vec3& away) {
         // Whether it turns decides whether it takes time, and on a turning surface the time decides how far it turns.
         for (int pass = 0; pass < 2; ++pass) {
             ImpactInput input = curveInput(impact, touching, meeting, style, shape.length());
-            impact.curve = impactCurve(style, input);
+            const ImpactCurve curve = impactCurve(style, input);
+            if (pass > 0 && sticks >= 1.0 && !turning && curve == impact.curve) {
+                break;
+            }
+            impact.curve = curve;
             if (sticks < 1.0) {
                 input.speed_in = std::max(0.0, -meeting.normal_speed);
                 input.speed_out = glm::dot(impact.velocity_out, impact.surface.normal);
