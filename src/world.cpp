@@ -260,14 +260,14 @@ namespace {
 /// Adds the time of its life to a figure of the profile, where there is a clock.
 class Stopwatch {
 public:
-    Stopwatch(const std::function<double()>& clock, double& seconds)
-        : clock_(clock), seconds_(seconds), begun_(clock ? clock() : 0.0) {}
+    Stopwatch(const std::function<double()>& read, double& seconds)
+        : read_(read), seconds_(seconds), begun_(read ? read() : 0.0) {}
     Stopwatch(const Stopwatch&) = delete;
     Stopwatch& operator=(const Stopwatch&) = delete;
-    ~Stopwatch() { seconds_ += clock_ ? clock_() - begun_ : 0.0; }
+    ~Stopwatch() { seconds_ += read_ ? read_() - begun_ : 0.0; }
 
 private:
-    const std::function<double()>& clock_;
+    const std::function<double()>& read_;
     double& seconds_;
     double begun_;
 };

@@ -19,9 +19,10 @@ int main(int argc, char** argv) {
     elastoon::catchInterrupts();
     if (argc > 1 && argv[1][0] != '-' &&
         app.get_subcommands([&](CLI::App* command) { return command->check_name(argv[1]); }).empty()) {
-        fmt::print(stderr,
-                   "elastoon: there is no command \"{}\"; there are simulate, render, figures, check, compare and bench\n",
-                   argv[1]);
+        fmt::print(
+            stderr,
+            "elastoon: there is no command \"{}\"; there are simulate, render, figures, check, compare and bench\n",
+            argv[1]);
         return elastoon::kExitBadUse;
     }
     try {
