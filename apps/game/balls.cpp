@@ -4,6 +4,7 @@
 #include "dmath.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace squashout {
@@ -264,6 +265,24 @@ void Game::holdCourse() {
     }
 }
 
+/// Lets the ball fly out of what holds it, from the nearest place where a ball that flies has room.
+void Game::setFree(Ball& ball, const Vec3& velocity) {
+    constexpr std::array<double, 8> kAside{0.0, 0.02, 0.05, 0.1, 0.2, 0.3, 0.45, 0.6}; // m
+    constexpr int kWays = 8;
+    ball.planned = velocity;
+    (void)world_->setVelocity(ball.body, velocity);
+    const Vec3 position = flat(world_->pose(ball.body).position);
+    const Vec3 ahead = unit(velocity, {0.0, 1.0, 0.0});
+    for (const double aside : kAside) {
+        for (int k = 0; k < (aside > 0.0 ? kWays : 1); ++k) {
+            const Vec3 way = turned(ahead, k * 2.0 * elastoon::kPi / kWays);
+            if (world_->setPosition(ball.body, position + way * aside)) {
+                return;
+            }
+        }
+    }
+}
+
 /// In flight it has the speed of its height; nothing lets it lie or slide.
 void Game::keepGoing(Ball& ball) {
     const elastoon::Phase& phase = world_->phase(ball.body);
@@ -273,9 +292,15 @@ void Game::keepGoing(Ball& ball) {
     const elastoon::Pose pose = world_->pose(ball.body);
     const Vec3 velocity = world_->velocity(ball.body);
     if (!phase.is<Flight>()) {
-        const Vec3 way = unit(flat(velocity) + Vec3(0.0, 0.5, 0.0), {0.0, 1.0, 0.0});
-        ball.planned = steepEnough(way) * speedAt(ball, pose.position.y);
-        (void)world_->setVelocity(ball.body, ball.planned);
+        Vec3 away(0.0);
+        for (const elastoon::KeptClear& kept : phase.clear_of) {
+            away += flat(kept.surface.normalAt(world_->time()));
+        }
+        if (const auto* rest = phase.as<elastoon::Rest>()) {
+            away += flat(rest->surface.normalAt(world_->time()));
+        }
+        const Vec3 way = unit(away, unit(flat(velocity), {0.0, 1.0, 0.0}));
+        setFree(ball, steepEnough(way) * speedAt(ball, pose.position.y));
         return;
     }
     const double speed = glm::length(velocity);

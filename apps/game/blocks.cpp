@@ -90,7 +90,7 @@ void Game::pop(std::size_t index) {
     world_->removeObstacle(block.obstacle);
     // A blast took it from under a ball: that goes on as it would have.
     for (const std::size_t i : in_contact) {
-        (void)world_->setVelocity(balls_[i].body, balls_[i].planned);
+        setFree(balls_[i], balls_[i].planned);
     }
     combo_ = std::min(combo_ + 1, kMostCombo);
     const int points = traitsOf(block.kind).points * combo_;

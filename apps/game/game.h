@@ -160,6 +160,7 @@ private:
     void steer(Ball& ball, const Vec3& velocity);
     void holdCourse();
     void keepGoing(Ball& ball);
+    void setFree(Ball& ball, const Vec3& velocity);
     void loseBalls();
     [[nodiscard]] double speedAt(const Ball& ball, double y) const;
     [[nodiscard]] Vec3 bentToBlocks(const Vec3& position, const Vec3& direction) const;

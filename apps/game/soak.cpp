@@ -21,8 +21,8 @@ GameDef defOf(const std::shared_ptr<const std::vector<Level>>& levels, std::uint
 }
 
 double skillOf(std::uint64_t seed) {
-    constexpr std::uint64_t kSkills = 5;
-    return 0.6 + 0.1 * static_cast<double>(seed % kSkills);
+    constexpr std::uint64_t kSkills = 6;
+    return 0.4 + 0.1 * static_cast<double>(seed % kSkills);
 }
 
 void count(const Game& game, SoakReport& report) {
