@@ -18,6 +18,9 @@ constexpr int kTopPoints = 9;
 /// Of the way to a target in one step: it arrives within a few, without a jerk.
 constexpr double kTargetShare = 0.45;
 constexpr double kLeanShare = 0.12;
+/// So near it is there, m and rad: a paddle that is not moved stands still.
+constexpr double kThere = 2e-3;
+constexpr double kLeansThere = 2e-3;
 
 double clamped(double value, double most) {
     return std::clamp(value, -most, most);
@@ -58,7 +61,8 @@ void Game::movePaddle(const PlayInput& input) {
     const double before = paddle_.velocity;
     if (input.has_target) {
         const double target = input.target / kMostTarget * kHalfWidth;
-        paddle_.velocity = clamped((target - paddle_.x) * kTargetShare / kStep, kPaddleMostSpeed);
+        const double way = target - paddle_.x;
+        paddle_.velocity = std::fabs(way) < kThere ? 0.0 : clamped(way * kTargetShare / kStep, kPaddleMostSpeed);
     } else {
         const double wanted = clamped(input.axis / kMostAxis, 1.0) * kPaddleKeySpeed;
         paddle_.velocity = before + clamped(wanted - before, kPaddleKeyPush * kStep);
@@ -70,8 +74,14 @@ void Game::movePaddle(const PlayInput& input) {
     const Quat turn = world_->frame(paddle_.obstacle).orientationAt(world_->time());
     paddle_.lean = 2.0 * elastoon::detAtan2(turn.z, turn.w);
     const double wanted_lean = -kMostLean * clamped(paddle_.velocity / kPaddleKeySpeed, 1.0);
-    const double lean_rate = (wanted_lean - paddle_.lean) * kLeanShare / kStep;
-    (void)world_->setObstacleMotion(paddle_.obstacle, {paddle_.velocity, 0.0, 0.0}, {0.0, 0.0, lean_rate});
+    const double to_lean = wanted_lean - paddle_.lean;
+    const Vec3 velocity{paddle_.velocity, 0.0, 0.0};
+    const Vec3 turning{0.0, 0.0, std::fabs(to_lean) < kLeansThere ? 0.0 : to_lean * kLeanShare / kStep};
+    // Every change lets all balls look ahead anew.
+    const elastoon::MovingFrame& frame = world_->frame(paddle_.obstacle);
+    if (frame.velocity != velocity || frame.angular_velocity != turning) {
+        (void)world_->setObstacleMotion(paddle_.obstacle, velocity, turning);
+    }
 }
 
 /// A wider paddle must not come to be inside a ball.

@@ -1,5 +1,5 @@
 // The field: its plate and walls, the light, and a camera that fits it between the page's bars.
-import { Color, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, Shape, ShapeGeometry, Vector3 } from "three";
+import { Color, DirectionalLight, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, Shape, ShapeGeometry, Vector3 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 import type { Capability } from "../../stage/src/quality.ts";
 import { Stage } from "../../stage/src/stage.ts";
@@ -38,6 +38,14 @@ export class Field {
     this.stage.camera.fov = 24;
     this.stage.setBounds(new Vector3(0, sizes.ceiling / 2, 0), sizes.ceiling * 0.62);
     const add = (object: Object3D) => scene.add(object);
+    // The stage's sun stands high for floors; here the plate is a wall, and shadows are to stay near what casts them.
+    const sun = scene.children.find((child) => child instanceof DirectionalLight);
+    sun?.position.set(-0.4, 0.62, 1).multiplyScalar(sizes.ceiling).add(new Vector3(0, sizes.ceiling / 2, 0));
+    const front = new DirectionalLight(0xfff6ea, 0.7);
+    front.position.set(-3, sizes.ceiling * 0.6, 30);
+    front.target.position.set(0, sizes.ceiling / 2, 0);
+    add(front);
+    add(front.target);
     const plate = new Mesh(roundedPlate(sizes.halfWidth, kBelow - 0.6, sizes.ceiling, 0.5),
       new MeshStandardMaterial({ color: palette.plate, roughness: 0.95 }));
     plate.position.z = kPlateZ;
@@ -62,7 +70,7 @@ export class Field {
   private addDots(add: (object: Object3D) => void): void {
     const material = new MeshBasicMaterial({ color: palette.wall, transparent: true, opacity: 0.35 });
     const dot = new ShapeGeometry(new Shape().absarc(0, 0, 0.045, 0, 2 * Math.PI), 6);
-    for (let y = 1; y < this.sizes.ceiling; y += 1.5) {
+    for (let y = 0.5; y < this.sizes.ceiling; y += 1.5) {
       for (let x = -4.5; x <= 4.5; x += 1.5) {
         const mesh = new Mesh(dot, material);
         mesh.position.set(x, y, kPlateZ + 0.01);

@@ -4,8 +4,8 @@ import type { BlockKind } from "./engine.ts";
 
 export const palette = {
   page: 0x1b2533,
-  plate: 0x2b3a50,
-  wall: 0x41536d,
+  plate: 0x35486a,
+  wall: 0x566b8c,
   ball: 0xff6f4d,
   cream: 0xfff1dc,
   paddle: 0xf7f1e5,
@@ -21,7 +21,7 @@ export const blockColors: Record<BlockKind, number> = {
   tough: 0x9aa9bd,
   jelly: 0x5fd08a,
   moving: 0xf6cf7a,
-  explosive: 0x4a4150,
+  explosive: 0x5b4f66,
   ball: 0x9fd8f4,
   wide: 0xb3a1ea,
   heart: 0xf2748c,

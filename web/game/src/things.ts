@@ -1,7 +1,8 @@
 // Blocks, paddle and balls in three.js: one draw call for each kind, placed from the rules' list of what is drawn.
 import { BufferGeometry, CatmullRomCurve3, Color, ExtrudeGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial,
-  MeshStandardMaterial, PlaneGeometry, Shape, SphereGeometry, TubeGeometry, Vector3 } from "three";
+  MeshStandardMaterial, PlaneGeometry, Shape, SphereGeometry, TubeGeometry, Vector2, Vector3 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
+import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { patterned } from "../../stage/src/patterns.ts";
 import { type BlockKind, blockKinds, drawnWhat, type Game, kDrawnFloats, type Sizes } from "./engine.ts";
 import { blockColors, palette, rowColors, signTexture } from "./looks.ts";
@@ -41,22 +42,28 @@ interface KindView {
   readonly signs: Partial<Record<"whole" | "cracked", Batch>>;
 }
 
+/** The solid's outline, its corners rounded within it. */
 function paddleGeometry(outline: Float32Array): BufferGeometry {
+  const points: Vector2[] = [];
+  for (let i = 0; i < outline.length; i += 2) points.push(new Vector2(outline[i], outline[i + 1]));
   const shape = new Shape();
-  // Rounded corners: the drawn foot ends where the solid's does.
-  const points: Vector3[] = [];
-  for (let i = 0; i < outline.length; i += 2) points.push(new Vector3(outline[i], outline[i + 1], 0));
-  shape.moveTo(points[0]!.x + 0.1, 0);
-  shape.quadraticCurveTo(points[0]!.x, 0, points[0]!.x + 0.06, 0.1);
-  for (const { x, y } of points.slice(1, -1)) shape.lineTo(x, y);
-  const end = points.at(-1)!.x;
-  shape.lineTo(end - 0.06, 0.1);
-  shape.quadraticCurveTo(end, 0, end - 0.1, 0);
+  const kRound = 0.2; // of the corners, m
+  points.forEach((corner, i) => {
+    const towards = (other: Vector2) => {
+      const way = other.clone().sub(corner);
+      return corner.clone().addScaledVector(way, Math.min(0.5, kRound / way.length()));
+    };
+    const from = towards(points.at(i - 1)!);
+    const to = towards(points[(i + 1) % points.length]!);
+    if (i === 0) shape.moveTo(from.x, from.y);
+    else shape.lineTo(from.x, from.y);
+    shape.quadraticCurveTo(corner.x, corner.y, to.x, to.y);
+  });
   shape.closePath();
-  const bevel = 0.05;
-  const geometry = new ExtrudeGeometry(shape, { depth: 0.9, bevelEnabled: true, bevelSize: 0, bevelThickness: bevel,
-    bevelOffset: 0, bevelSegments: 3, curveSegments: 8 });
-  return geometry.translate(0, 0, -0.45);
+  const bevel = 0.06;
+  const geometry = new ExtrudeGeometry(shape, { depth: 0.9, bevelEnabled: true, bevelSize: bevel, bevelThickness: bevel,
+    bevelOffset: -bevel, bevelSegments: 4, curveSegments: 6 });
+  return toCreasedNormals(geometry.translate(0, 0, -0.45), 0.6);
 }
 
 export class Things {
@@ -120,8 +127,8 @@ export class Things {
     const body = new Mesh(paddleGeometry(game.paddleOutline(half_width)), this.paddleMaterial);
     // Two bands, so that its squash can be seen.
     const bands = [-1, 1].map((side) => {
-      const band = new Mesh(new RoundedBoxGeometry(0.2, 0.43, 1.012, 3, 0.05), this.bandMaterial);
-      band.position.set(side * half_width * 0.5, 0.235, 0);
+      const band = new Mesh(new RoundedBoxGeometry(0.22, 0.46, 1.03, 3, 0.06), this.bandMaterial);
+      band.position.set(side * half_width * 0.52, 0.255, 0);
       return band;
     });
     this.paddleMeshes = [body, ...bands];
