@@ -89,24 +89,29 @@ std::string placeOf(const LevelBlock& block) {
     return "row " + std::to_string(block.row + 1) + ", place " + std::to_string(block.column + 1);
 }
 
-/// A moving block's whole way must be free: of walls, and in its row of all that does not move with it.
+/// A moving block must not close on a ball: along its whole way there is a ball's room to the walls and to all that
+/// does not move with it.
 void checkWays(JsonReader& reader, const Level& level, const std::string& path) {
+    constexpr double kRoom = 2.0 * kBallRadius + 0.08;
     for (const LevelBlock& block : level.blocks) {
         if (block.by == 0.0) {
             continue;
         }
-        const double left = block.x + std::min(0.0, block.by) - halfWidthOf(block);
-        const double right = block.x + std::max(0.0, block.by) + halfWidthOf(block);
+        const double left = block.x + std::min(0.0, block.by) - halfWidthOf(block) - kRoom;
+        const double right = block.x + std::max(0.0, block.by) + halfWidthOf(block) + kRoom;
         if (left < -kHalfWidth || right > kHalfWidth) {
-            reader.fail(path, "the moving block at " + placeOf(block) + " would run into a wall");
+            reader.fail(path, "the moving block at " + placeOf(block) +
+                                  " would leave no room for a ball at a wall; moving.by says how many places it goes");
             return;
         }
         for (const LevelBlock& other : level.blocks) {
             const bool together = other.by == block.by && other.period == block.period;
-            if (other.row == block.row && !together && other.x - halfWidthOf(other) < right &&
+            const double between = std::fabs(other.y - block.y) - kBlockHeight;
+            if (!together && between < kRoom && other.x - halfWidthOf(other) < right &&
                 other.x + halfWidthOf(other) > left) {
-                reader.fail(path, "the moving block at " + placeOf(block) + " would run into the one at " +
-                                      placeOf(other) + "; moving.by says how many places it goes");
+                reader.fail(path, "the moving block at " + placeOf(block) +
+                                      " would leave no room for a ball to the one at " + placeOf(other) +
+                                      "; keep a row free, or let moving.by be less");
                 return;
             }
         }

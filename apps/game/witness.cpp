@@ -102,15 +102,6 @@ void Witness::lookAt(const Game& game, const Ball& ball, const elastoon::Phase& 
         }
         const Real gap = elastoon::separationBySat({&solidOf(shape), vertices}, {&solidOf(solid), other});
         const double depth = static_cast<double>(-gap) / length;
-        if (depth > 1e-5 && std::getenv("DBG")) {
-            fprintf(stderr,
-                    "seed %lu step %lu lvl %zu %s depth %.2e phase %s since %.4f ball %.3f %.3f s=%.3f block %.2f %.2f "
-                    "v=%.2f waits=%zu same=%d\n",
-                    game.def().seed, game.steps(), game.levelIndex(), id == game.paddle().obstacle ? "paddle" : "block",
-                    depth, std::string(elastoon::nameOf(phase)).c_str(), t - phase.start, pose.position.x,
-                    pose.position.y, pose.stretch, middle.x, middle.y, frame.velocity.x, phase.clear_of.size(),
-                    phase.obstacle == id);
-        }
         if (depth > seen_.solid_depth) {
             seen_.solid_depth = depth;
             seen_.deepest_where = "seed " + hexOf(game.def().seed) + ", step " + std::to_string(game.steps()) +
