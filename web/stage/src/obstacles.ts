@@ -65,8 +65,12 @@ export class ObstacleViews {
   }
 
   private sheet(look: ObstacleLook, theme: Theme, occluders: Occluders, center: Vector3, reach: number): Mesh {
+    // Walls stand against the light and before the backdrop: they glow a little and let it through.
+    const wall = Math.abs(look.normal.y) < 0.7;
     const material = new MeshStandardMaterial({ color: look.color ?? theme.floor, roughness: 0.95, transparent: true,
-      side: FrontSide, depthWrite: true });
+      side: FrontSide, opacity: wall ? 0.55 : 1, userData: { glow: wall ? 0.35 : 0 } });
+    material.emissive.setHex(look.color ?? theme.floor);
+    material.emissiveIntensity = wall ? 0.35 : 0;
     darkened(material, occluders, { declare: sheetDeclare, color: sheetColor, key: "sheet", uniforms: {
       uCenter: { value: center.clone() }, uReach: { value: reach }, uGrid: { value: new Color(theme.grid) } } });
     const compile = material.onBeforeCompile.bind(material);
@@ -108,8 +112,11 @@ export class ObstacleViews {
   mark(index: number, color: number | null): void {
     this.meshes.forEach((mesh, i) => {
       const material = mesh.material as MeshStandardMaterial;
-      material.emissive.setHex(i === index && color !== null ? color : 0);
-      material.emissiveIntensity = i === index ? 0.35 : 0;
+      const glow = (material.userData["glow"] as number | undefined) ?? 0;
+      const marked = i === index && color !== null;
+      material.emissive.copy(material.color);
+      if (marked) material.emissive.setHex(color);
+      material.emissiveIntensity = marked ? 0.35 : glow;
       material.side = this.looks[i]?.shape === null ? FrontSide : DoubleSide;
     });
   }

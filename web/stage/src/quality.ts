@@ -38,13 +38,14 @@ export class Governor {
   private fast = 0;
   private rose = false;
 
-  constructor(level = 0) {
+  /** `fixed`: the level stays as it is. */
+  constructor(level = 0, private readonly fixed = false) {
     this.level = Math.min(Math.max(level, 0), this.worst);
   }
 
   /** `elapsed` ms went by since the last frame. True where the level changed. A pause (over a second) does not count. */
   frame(elapsed: number): boolean {
-    if (elapsed > 1000 && this.frames <= 0) return false;
+    if (this.fixed || (elapsed > 1000 && this.frames <= 0)) return false;
     if (this.frames++ < 0) return false;
     // A renderer that needs a quarter of a second for a frame need not be watched for 24 of them.
     this.sum += Math.min(elapsed, 1000);

@@ -8,6 +8,8 @@ import { type Theme, type ThemeName, themes } from "./theme.js";
 export interface StageOptions {
   readonly theme: ThemeName;
   readonly capability: Capability;
+  /** Of `qualities`, to stay with; undefined: what the renderer is fast enough for. */
+  readonly quality?: number | undefined;
   /** Called when the graphics context is lost, and when it is back. */
   readonly onContext?: (lost: boolean) => void;
 }
@@ -32,7 +34,7 @@ export class Stage {
   private readonly hemisphere = new HemisphereLight();
   private readonly sun = new DirectionalLight();
   private themeName: ThemeName;
-  private size = { width: 1, height: 1, ratio: 1 };
+  private size = { width: 1, height: 1, ratio: 1, exact: false };
   private center = new Vector3(0, 1, 0);
   private radius = 6;
   private lost = false;
@@ -41,8 +43,9 @@ export class Stage {
   constructor(canvas: HTMLCanvasElement, options: StageOptions) {
     this.canvas = canvas;
     this.themeName = options.theme;
-    this.governor = new Governor(options.capability.software ? 3 : 0);
-    this.renderer = new WebGLRenderer({ canvas, antialias: !options.capability.software, powerPreference: "high-performance" });
+    const fixed = options.quality !== undefined;
+    this.governor = new Governor(options.quality ?? (options.capability.software ? 3 : 0), fixed);
+    this.renderer = new WebGLRenderer({ canvas, antialias: !options.capability.software || fixed, powerPreference: "high-performance" });
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.info.autoReset = false;
@@ -50,6 +53,7 @@ export class Stage {
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.02;
     this.sun.shadow.radius = 4;
+    this.sun.shadow.intensity = 0.62;
     this.scene.add(this.hemisphere, this.sun, this.sun.target);
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
@@ -75,16 +79,16 @@ export class Stage {
     this.themeName = name;
     const { horizon, sky, floor, ambient, sun } = this.theme;
     this.scene.background = new Color(horizon);
-    this.hemisphere.color.setHex(name === "dark" ? 0xcdd8f0 : 0xffffff).lerp(new Color(sky), 0.2);
-    this.hemisphere.groundColor.setHex(floor).lerp(new Color(0x8a7a66), 0.4);
+    this.hemisphere.color.setHex(name === "dark" ? 0xdde5f7 : 0xffffff).lerp(new Color(sky), name === "dark" ? 0.1 : 0.2);
+    this.hemisphere.groundColor.setHex(floor).lerp(new Color(0x9a8c7a), 0.25);
     this.hemisphere.intensity = ambient;
     this.sun.color.setHex(0xfff3e2);
     this.sun.intensity = sun;
   }
 
-  /** CSS pixels. */
-  resize(width: number, height: number, ratio = globalThis.devicePixelRatio ?? 1): void {
-    this.size = { width: Math.max(width, 1), height: Math.max(height, 1), ratio };
+  /** CSS pixels. `exact`: that many pixels, whatever the quality: for pictures that are kept. */
+  resize(width: number, height: number, ratio = globalThis.devicePixelRatio ?? 1, exact = false): void {
+    this.size = { width: Math.max(width, 1), height: Math.max(height, 1), ratio, exact };
     this.applySize();
   }
 
@@ -117,7 +121,8 @@ export class Stage {
   }
 
   private applySize(): void {
-    this.renderer.setPixelRatio(Math.min(this.size.ratio, this.quality.pixelRatio));
+    const { ratio, exact } = this.size;
+    this.renderer.setPixelRatio(exact ? ratio : Math.min(ratio, this.quality.pixelRatio));
     this.renderer.setSize(this.size.width, this.size.height, false);
   }
   private applyQuality(): void {

@@ -24,8 +24,8 @@ export const themes: Readonly<Record<ThemeName, Theme>> = {
     danger: 0xc92a2a, cream: 0xfff4e0, ambient: 1.55, sun: 2.5,
   },
   dark: {
-    sky: 0x12151c, horizon: 0x1c2029, floor: 0x2a2f3b, grid: 0x475066, solid: 0x6c7689, accent: 0xff8a4c,
-    danger: 0xff6b6b, cream: 0xffedd2, ambient: 1.05, sun: 2.6,
+    sky: 0x12151c, horizon: 0x1d222c, floor: 0x465066, grid: 0x65728e, solid: 0x7d889e, accent: 0xff8a4c,
+    danger: 0xff6b6b, cream: 0xffedd2, ambient: 1.5, sun: 2.6,
   },
 };
 

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Builds the studio and serves it on this machine. Usage: studio.sh [--port N]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+usage="usage: ./run studio [--port N]
+Builds the studio where something changed, and serves it on this machine until Ctrl C. Default port: 4173, or the next free one."
+port=4173
+strict=()
+while [ $# -gt 0 ]; do
+  case $1 in
+    --help | -h)
+      echo "$usage"
+      exit 0
+      ;;
+    --port)
+      if ! [[ ${2:-} =~ ^[0-9]{1,5}$ ]] || [ "$2" -lt 1 ] || [ "$2" -gt 65535 ]; then
+        echo "studio: --port needs a number from 1 to 65535" >&2
+        exit 2
+      fi
+      port=$2
+      strict=(--strictPort)
+      shift 2
+      ;;
+    *)
+      printf 'studio: unknown argument %s\n%s\n' "$1" "$usage" >&2
+      exit 2
+      ;;
+  esac
+done
+
+scripts/install.sh web
+node -e 'const [a, b] = process.versions.node.split("."); process.exit(a > 20 || (a == 20 && b >= 19) ? 0 : 1)' || {
+  echo "studio: needs Node 20.19 or later, this is $(node --version): https://nodejs.org" >&2
+  exit 1
+}
+scripts/build_page.sh studio
+echo "The studio, until Ctrl C:"
+cd web/studio
+exec npx vite preview --host 127.0.0.1 --port "$port" "${strict[@]}"
