@@ -44,6 +44,6 @@ export default defineConfig({
   base: "./",
   plugins: [contentPolicy(), serviceWorker()],
   resolve: { dedupe: ["three"], alias: [{ find: /^three$/, replacement: at("./node_modules/three") }] },
-  build: { target: "es2022", outDir: at("../../build/game"), emptyOutDir: true, assetsInlineLimit: 0, chunkSizeWarningLimit: 900 },
+  build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 900 },
   server: { fs: { allow: [at("../..")] } },
 });
