@@ -1,5 +1,5 @@
 // Squashout's rules: what each block does, that a paddle aims, that games go the same way each time, and that nothing
-// is entered while a bot plays. ELASTOON_SOAK multiplies the bot's games: at 50 they are a thousand.
+// is entered while a bot plays. The thousand games of a soak are the program's: elastoon-game bot --games 1000.
 #include "bot.h"
 #include "play.h"
 #include "soak.h"
@@ -8,7 +8,6 @@
 #include "test_support.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -133,7 +132,7 @@ TEST(Game, WhereTheBallLandsOnThePaddleIsWhereItGoes) {
         met += std::fabs(along - offset) < 0.25 ? 1 : 0;
         // And so it leaves, whatever the paddle does meanwhile.
         PlayInput away;
-        away.axis = offset > 0 ? 127 : -127;
+        away.axis = offset > 0 ? -127 : 127;
         while (!game.world().phase(game.balls()[0].body).is<elastoon::Flight>()) {
             game.step(away);
         }
@@ -217,26 +216,18 @@ TEST(Game, WithoutAPlayerItIsLostAfterThreeBalls) {
     }
 }
 
-/// A ball between stones, where the paddle cannot reach it.
+/// A chamber of stones: what comes in through its gap meets neither block nor paddle for long.
 TEST(Game, ABallThatGoesRoundInCirclesIsNudged) {
-    Game game(defOf(levelOf(R"("p","","","","","","","","","","","","","","","","","ssssssssss")")));
-    // Above the stones with a level way: let it in by playing until it is there is chance; so play a while instead.
-    Bot bot(3, 1.0);
-    std::size_t nudges = 0;
-    for (int i = 0; i < 40000 && !game.over(); ++i) {
-        game.step(bot.play(game));
-        nudges += countOf({game.events().begin(), game.events().end()}, GameEventKind::Nudged);
+    Game game(defOf(levelOf(R"("p","ssssssssss","","","","","ssss..ssss")"), 2));
+    const auto events = playUntil(game, GameEventKind::Nudged, 600.0);
+    std::size_t idle = 0;
+    for (const GameEvent& event : events) {
+        const bool useful = event.kind == GameEventKind::PaddleHit || event.kind == GameEventKind::Launched;
+        const bool idles = event.kind == GameEventKind::WallHit ||
+                           (event.kind == GameEventKind::BlockHit && event.block == BlockKind::Stone);
+        idle = useful ? 0 : idle + (idles ? 1 : 0);
     }
-    // The paddle is touched in between, so that none goes round in circles here.
-    EXPECT_EQ(nudges, 0U);
-
-    Game open(defOf(levelOf(R"("s.s.ss.s.s","","","s.s....s.s","","","ss.s..s.ss","p")")));
-    for (int i = 0; i < 120000 && !open.over(); ++i) {
-        open.step(bot.play(open));
-        nudges += countOf({open.events().begin(), open.events().end()}, GameEventKind::Nudged);
-        ASSERT_EQ(open.escapes(), 0);
-    }
-    EXPECT_TRUE(open.over());
+    EXPECT_EQ(idle, static_cast<std::size_t>(kIdleImpacts));
 }
 
 TEST(Game, TheSameInputsGiveTheSameGame) {
@@ -324,33 +315,21 @@ TEST(Game, AResponseSquashesSwingsAndSettles) {
     EXPECT_NEAR(position.y + linear[1].y * 0.25, 0.25, 1e-12);
 }
 
-int soakFactor() {
-    const char* factor = std::getenv("ELASTOON_SOAK");
-    return factor == nullptr ? 1 : std::max(1, std::atoi(factor));
-}
-
-TEST(Soak, GamesOfTheBot) {
-    constexpr int kGames = 20;
+TEST(GameSoak, GamesOfTheBot) {
+    constexpr int kGames = 12;
     SoakOptions options;
-    options.games = kGames * soakFactor();
-    // A short game shows as much: levels are begun in turn.
-    options.longest = soakFactor() > 1 ? 30.0 * 60.0 : 45.0;
+    options.games = kGames;
+    options.longest = 30.0; // levels are begun in turn, so that short games show as much
     const SoakReport report = soak(realLevels(), options);
     EXPECT_TRUE(report.seen.holds()) << report.seen.depth << ' ' << report.seen.solid_depth << ' '
                                      << report.seen.deepest_where;
+    EXPECT_GT(report.seen.looks, 100U * kGames);
     EXPECT_GT(report.seen.slowest, 0.5);
     EXPECT_LT(report.seen.fastest, 2.2);
     EXPECT_LT(report.seen.longest_contact, Seen::kMostContact);
-    EXPECT_GT(report.pops, 20U * static_cast<std::size_t>(kGames));
+    EXPECT_GT(report.pops, 10U * kGames);
     EXPECT_GT(report.blasts, 0U);
     EXPECT_GT(report.balls_added, 0U);
-    if (soakFactor() > 1) {
-        EXPECT_EQ(report.unended, 0) << report.unended_seeds;
-        EXPECT_GT(report.won, 0);
-        EXPECT_GT(report.lost, 0);
-    }
-    std::printf("games %d, won %d, lost %d, %.0f minutes, pops %zu, deepest %.2e\n", report.games, report.won,
-                report.lost, static_cast<double>(report.steps) * kStep / 60.0, report.pops, report.seen.solid_depth);
 }
 
 } // namespace

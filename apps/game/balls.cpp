@@ -21,6 +21,8 @@ constexpr double kSameSpeed = 1e-6; ///< m/s
 /// Parting from a surface slower than this, a ball would be overtaken by it again.
 constexpr double kLeastParting = 1.5;
 constexpr double kStuckSpeed = 0.45; ///< of the level's: below, something went wrong
+/// Below this share of its speed along the normal a ball grazes: without a squash it flies on.
+constexpr double kGrazes = 0.5, kGrazesPaddle = 0.2;
 constexpr double kNudgeFrom = 0.14, kNudgeTo = 0.30; ///< rad
 
 Vec3 flat(const Vec3& v) {
@@ -251,6 +253,13 @@ void Game::steer(Ball& ball, const Vec3& velocity) {
     const double parting = glm::dot(velocity - carried, normal);
     if (parting < kLeastParting) {
         ball.planned += flat(normal) * (kLeastParting - parting);
+    }
+    // An edge that is only grazed has no face to skip along: to roll over it would take the ball around it.
+    const double share = -glm::dot(impact->velocity_in, impact->surface.normal) / glm::length(impact->velocity_in);
+    const bool skips = impact->skims != Vec3(0.0);
+    if (!skips && share < (phase.obstacle == paddle_.obstacle ? kGrazesPaddle : kGrazes)) {
+        setFree(ball, ball.planned);
+        return;
     }
     (void)world_->steerImpact(ball.body, ball.planned);
 }

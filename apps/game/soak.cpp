@@ -22,7 +22,7 @@ GameDef defOf(const std::shared_ptr<const std::vector<Level>>& levels, std::uint
 
 double skillOf(std::uint64_t seed) {
     constexpr std::uint64_t kSkills = 6;
-    return 0.4 + 0.1 * static_cast<double>(seed % kSkills);
+    return 0.3 + 0.1 * static_cast<double>(seed % kSkills);
 }
 
 void count(const Game& game, SoakReport& report) {
