@@ -11,7 +11,6 @@ namespace squashout {
 
 using elastoon::detAtan2;
 using elastoon::detSinCos;
-using elastoon::EventType;
 using elastoon::Flight;
 using elastoon::Impact;
 

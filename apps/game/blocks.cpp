@@ -8,7 +8,6 @@
 namespace squashout {
 
 using elastoon::ObstacleDef;
-using elastoon::PathKey;
 
 namespace {
 

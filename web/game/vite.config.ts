@@ -27,7 +27,8 @@ function serviceWorker(): Plugin {
     name: "service-worker",
     apply: "build",
     generateBundle(_options, bundle) {
-      const files = ["./", "manifest.webmanifest", "icon.svg", ...Object.keys(bundle).filter((name) => name !== "index.html")];
+      const files = ["./", "manifest.webmanifest", "icon.svg", ...Object.keys(bundle).filter((name) =>
+        name !== "index.html")];
       const hash = createHash("sha256");
       for (const [name, item] of Object.entries(bundle)) {
         hash.update(name).update(item.type === "chunk" ? item.code : item.source);

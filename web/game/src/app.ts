@@ -128,7 +128,8 @@ export class App {
     this.screens.banner("");
     const select = element<HTMLSelectElement>("from");
     const most = Math.min(reached(), this.names.length - 1);
-    select.replaceChildren(...this.names.slice(0, most + 1).map((name, i) => new Option(`${i + 1}  ${name}`, String(i))));
+    select.replaceChildren(...this.names.slice(0, most + 1).map((name, i) => new Option(`${i + 1}  ${name}`,
+      String(i))));
     select.value = String(most);
     element("title").classList.toggle("fresh", most === 0);
     select.parentElement!.hidden = most === 0;
@@ -139,7 +140,8 @@ export class App {
     this.mode = "over";
     const { score, level, stage } = this.state;
     element("over-name").textContent = stage === "won" ? "You popped them all!" : "Game over";
-    element("result").textContent = `${score} points, level ${level + 1} of ${this.names.length}: ${this.names[level]}.`;
+    const place = `level ${level + 1} of ${this.names.length}: ${this.names[level]}`;
+    element("result").textContent = `${score} points, ${place}.`;
     const best = isBest(score);
     element("best").hidden = !best;
     element<HTMLInputElement>("name").value = lastName();
@@ -186,7 +188,8 @@ export class App {
   private resize(): void {
     const hud = element("hud").hidden ? 12 : 3.4 * parseFloat(getComputedStyle(document.documentElement).fontSize) + 4;
     // A thumb's room under the paddle.
-    const bottom = innerWidth < innerHeight && matchMedia("(pointer: coarse)").matches ? Math.min(110, innerHeight * 0.13) : 10;
+    const bottom = innerWidth < innerHeight && matchMedia("(pointer: coarse)").matches ? Math.min(110,
+      innerHeight * 0.13) : 10;
     this.field.resize(innerWidth, innerHeight, { top: hud, bottom });
     this.barred = { width: innerWidth, height: innerHeight };
     this.field.render({ x: 0, y: 0 });
@@ -265,7 +268,10 @@ export class App {
     };
     switch (kind) {
       case "levelBegun":
-        if (plays) this.screens.banner(this.names[event.value]!, event.value === 0 ? "Click, tap or press Space" : `Level ${event.value + 1}`, 2.4);
+        if (plays) {
+          const hint = event.value === 0 ? "Click, tap or press Space" : `Level ${event.value + 1}`;
+          this.screens.banner(this.names[event.value]!, hint, 2.4);
+        }
         if (plays && !this.bot) reach(event.value);
         break;
       case "launched":
@@ -306,7 +312,8 @@ export class App {
         this.jolt(20, 1);
         if (plays) {
           this.sound.lost();
-          if (event.value > 0) this.screens.banner(event.value === 1 ? "Last ball" : `${event.value} balls left`, "", 1.4);
+          if (event.value > 0) this.screens.banner(event.value === 1 ? "Last ball" : `${event.value} balls left`, "",
+            1.4);
         }
         break;
       case "ballAdded":

@@ -29,7 +29,8 @@ export class Controls {
   constructor(private readonly surface: HTMLElement, private readonly host: ControlsHost) {
     surface.addEventListener("pointermove", (event) => this.move(event));
     surface.addEventListener("pointerdown", (event) => this.down(event));
-    for (const type of ["pointerup", "pointercancel"] as const) surface.addEventListener(type, (event) => this.up(event));
+    for (const type of ["pointerup", "pointercancel"] as const) surface.addEventListener(type, (event) =>
+      this.up(event));
     addEventListener("keydown", (event) => this.key(event, true));
     addEventListener("keyup", (event) => this.key(event, false));
     addEventListener("blur", () => this.forget());

@@ -7,8 +7,10 @@ export const kStep = 1 / 120;
 export const stages = ["ready", "playing", "cleared", "won", "lost"] as const;
 export type StageName = (typeof stages)[number];
 
-export const eventKinds = ["levelBegun", "launched", "wallHit", "paddleHit", "blockHit", "popped", "exploded", "ballLost",
-  "lifeLost", "ballAdded", "widened", "narrowed", "lifeGained", "levelCleared", "gameWon", "gameLost", "nudged"] as const;
+export const eventKinds = ["levelBegun", "launched", "wallHit", "paddleHit", "blockHit", "popped", "exploded",
+  "ballLost",
+  "lifeLost", "ballAdded", "widened", "narrowed", "lifeGained", "levelCleared", "gameWon", "gameLost",
+    "nudged"] as const;
 export type EventKind = (typeof eventKinds)[number];
 
 export const blockKinds = ["plain", "tough", "jelly", "moving", "explosive", "ball", "wide", "heart", "stone"] as const;
@@ -78,7 +80,8 @@ export class Engine {
     const nothing = new Proxy({}, { get: () => () => 0 });
     const response = await fetch(wasmUrl);
     if (!response.ok) throw new Error(`the rules could not be loaded (${response.status})`);
-    const { instance } = await WebAssembly.instantiate(await response.arrayBuffer(), { wasi_snapshot_preview1: nothing });
+    const { instance } = await WebAssembly.instantiate(await response.arrayBuffer(),
+      { wasi_snapshot_preview1: nothing });
     const wasm = instance.exports as unknown as Numbers;
     wasm["_initialize"]?.();
     const engine = new Engine(wasm, instance.exports["memory"] as WebAssembly.Memory, wasm["malloc"]!(8));
@@ -88,11 +91,13 @@ export class Engine {
   }
 
   get levelNames(): string[] {
-    return Array.from({ length: this.call("squashoutLevelCount") }, (_, i) => this.text(this.call("squashoutLevelName", i)));
+    return Array.from({ length: this.call("squashoutLevelCount") }, (_, i) => this.text(this.call("squashoutLevelName",
+      i)));
   }
   get sizes(): Sizes {
     const n = new Float64Array(this.memory.buffer, this.call("squashoutSizes"), 7);
-    return { halfWidth: n[0]!, ceiling: n[1]!, ballRadius: n[2]!, blockWidth: n[3]!, blockHeight: n[4]!, blockDepth: n[5]!,
+    return { halfWidth: n[0]!, ceiling: n[1]!, ballRadius: n[2]!, blockWidth: n[3]!, blockHeight: n[4]!,
+      blockDepth: n[5]!,
       roundRadius: n[6]! };
   }
 
@@ -152,7 +157,8 @@ export class Game {
 
   get state(): State {
     const n = this.engine.doubles(this.engine.call("squashoutNumbers", this.at), 16);
-    return { stage: stages[n[0]!]!, score: n[1]!, lives: n[2]!, level: n[3]!, combo: n[4]!, balls: n[5]!, blocksLeft: n[6]!,
+    return { stage: stages[n[0]!]!, score: n[1]!, lives: n[2]!, level: n[3]!, combo: n[4]!, balls: n[5]!,
+      blocksLeft: n[6]!,
       steps: n[7]!, paddleX: n[8]!, paddleHalfWidth: n[9]!, paddleVelocity: n[10]!, wideLeft: n[11]!, fastest: n[12]!,
       gravity: n[13] === 1 };
   }
@@ -171,7 +177,8 @@ export class Game {
   }
   /** x and y of each point, about the foot's middle. */
   paddleOutline(halfWidth: number): Float32Array {
-    return this.engine.floats(2, (count) => this.engine.call("squashoutPaddleOutline", this.at, halfWidth, count)).slice();
+    return this.engine.floats(2, (count) => this.engine.call("squashoutPaddleOutline", this.at, halfWidth,
+      count)).slice();
   }
   get hash(): string {
     return this.engine.text(this.engine.call("squashoutHash", this.at));

@@ -1,5 +1,6 @@
 // The field: its plate and walls, the light, and a camera that fits it between the page's bars.
-import { Color, DirectionalLight, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, Shape, ShapeGeometry, Vector3 } from "three";
+import { Color, DirectionalLight, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, Shape, ShapeGeometry,
+  Vector3 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 import type { Capability } from "../../stage/src/quality.ts";
 import { Stage } from "../../stage/src/stage.ts";
@@ -31,7 +32,8 @@ export class Field {
   private distance = 10;
   private middle = 8;
 
-  constructor(canvas: HTMLCanvasElement, private readonly sizes: Sizes, capability: Capability, onContext: (lost: boolean) => void) {
+  constructor(canvas: HTMLCanvasElement, private readonly sizes: Sizes, capability: Capability,
+    onContext: (lost: boolean) => void) {
     this.stage = new Stage(canvas, { theme: "dark", capability, onContext });
     const { scene } = this.stage;
     scene.background = new Color(palette.page);
@@ -93,7 +95,8 @@ export class Field {
     this.distance = (unit * this.height) / (2 * Math.tan((this.stage.camera.fov * Math.PI) / 360)) + kDepth / 2;
     const spare = free * unit - tall;
     const field_middle = kBelow + tall / 2 - 0.1;
-    this.middle = field_middle + ((bars.top - bars.bottom) / 2) * unit - Math.max(0, spare) * 0.5 * (this.width < 600 ? -0.55 : 0);
+    this.middle = field_middle + ((bars.top - bars.bottom) / 2) * unit - Math.max(0, spare) * 0.5 * (this.width < 600
+      ? -0.55 : 0);
   }
 
   /** Where on the page a point of the field is, CSS pixels. */

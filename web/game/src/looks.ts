@@ -25,7 +25,7 @@ export const blockColors: Record<BlockKind, number> = {
   ball: 0x9fd8f4,
   wide: 0xb3a1ea,
   heart: 0xf2748c,
-  stone: 0x56606f,
+  stone: 0x7d8896,
 };
 
 export const blockNames: Record<BlockKind, { name: string; does: string }> = {
@@ -129,7 +129,8 @@ const signs: Partial<Record<BlockKind | "cracked", Draw>> = {
   },
   stone: (c, w, h) => {
     c.fillStyle = "rgba(0, 0, 0, 0.16)";
-    for (const [x, y, r] of [[0.2, 0.3, 0.09], [0.72, 0.62, 0.12], [0.48, 0.36, 0.06], [0.3, 0.74, 0.06], [0.86, 0.24, 0.05]]) {
+    for (const [x, y, r] of [[0.2, 0.3, 0.09], [0.72, 0.62, 0.12], [0.48, 0.36, 0.06], [0.3, 0.74, 0.06],
+      [0.86, 0.24, 0.05]]) {
       c.beginPath();
       c.ellipse(x! * w, y! * h, r! * h * 1.3, r! * h, 0.3, 0, 7);
       c.fill();

@@ -1,5 +1,6 @@
 // Bits that fly off what is hit, and rings that spread: a pool of each, moved in the page's own time.
-import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial, MeshStandardMaterial, Quaternion, RingGeometry,
+import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial, MeshStandardMaterial, Quaternion,
+  RingGeometry,
   Vector3 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 
@@ -41,8 +42,10 @@ export class Particles {
   private readonly color = new Color();
 
   constructor() {
-    this.bitMesh = new InstancedMesh(new RoundedBoxGeometry(1, 1, 1, 2, 0.25), new MeshStandardMaterial({ roughness: 0.6 }), kBits);
-    this.ringMesh = new InstancedMesh(new RingGeometry(0.86, 1, 48), new MeshBasicMaterial({ transparent: true, opacity: 0.5,
+    this.bitMesh = new InstancedMesh(new RoundedBoxGeometry(1, 1, 1, 2, 0.25),
+      new MeshStandardMaterial({ roughness: 0.6 }), kBits);
+    this.ringMesh = new InstancedMesh(new RingGeometry(0.86, 1, 48), new MeshBasicMaterial({ transparent: true,
+      opacity: 0.5,
       depthWrite: false }), kRings);
     for (const mesh of [this.bitMesh, this.ringMesh]) {
       mesh.instanceMatrix.setUsage(DynamicDrawUsage);
@@ -52,7 +55,8 @@ export class Particles {
     }
   }
 
-  burst(x: number, y: number, color: number, count: number, speed: number, way: { x: number; y: number } = { x: 0, y: 0 }): void {
+  burst(x: number, y: number, color: number, count: number, speed: number, way: { x: number; y: number } = { x: 0,
+    y: 0 }): void {
     for (let i = 0; i < count; ++i) {
       const angle = Math.random() * 2 * Math.PI;
       const fast = speed * (0.35 + 0.65 * Math.random());
@@ -93,7 +97,8 @@ export class Particles {
       const speed = bit.spin.length();
       if (speed > 0) bit.turn.premultiply(turn.setFromAxisAngle(bit.spin.clone().normalize(), speed * elapsed));
       const left = Math.max(0, 1 - bit.age / bit.life);
-      this.bitMesh.setMatrixAt(i, this.matrix.compose(bit.position, bit.turn, this.scale.setScalar(bit.size * Math.sqrt(left))));
+      this.bitMesh.setMatrixAt(i, this.matrix.compose(bit.position, bit.turn,
+        this.scale.setScalar(bit.size * Math.sqrt(left))));
     });
     this.bitMesh.count = this.bits.length;
     this.bitMesh.instanceMatrix.needsUpdate = true;
@@ -102,7 +107,8 @@ export class Particles {
       ring.age += elapsed;
       const share = Math.min(1, ring.age / kLife);
       const size = share < 1 ? ring.size * (0.3 + 0.7 * Math.sqrt(share)) : 0;
-      this.ringMesh.setMatrixAt(i, this.matrix.makeScale(size, size, size).setPosition(ring.x, ring.y, 0.55 - 0.02 * i));
+      this.ringMesh.setMatrixAt(i, this.matrix.makeScale(size, size, size).setPosition(ring.x, ring.y, 0.55
+        - 0.02 * i));
     });
     this.ringMesh.count = this.rings.length;
     this.ringMesh.instanceMatrix.needsUpdate = true;

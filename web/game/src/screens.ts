@@ -18,8 +18,8 @@ const toggles: { key: keyof Options; name: string; tells: string }[] = [
 
 const icons = {
   pause: `<path d="M8 5v14M16 5v14" stroke="currentColor" stroke-width="3.4" stroke-linecap="round"/>`,
-  sound: `<path d="M4 9.5v5h3.5L12 19V5L7.5 9.5Z" fill="currentColor"/><path d="M15.5 9a4 4 0 0 1 0 6M18 6.5a8 8 0 0 1 0 11"
-    fill="none" stroke="currentColor" stroke-width="2" stroke-linecap="round"/>`,
+  sound: `<path d="M4 9.5v5h3.5L12 19V5L7.5 9.5Z" fill="currentColor"/><path fill="none"
+    d="M15.5 9a4 4 0 0 1 0 6M18 6.5a8 8 0 0 1 0 11" stroke="currentColor" stroke-width="2" stroke-linecap="round"/>`,
   silent: `<path d="M4 9.5v5h3.5L12 19V5L7.5 9.5Z" fill="currentColor"/><path d="m16 9.5 5 5m0-5-5 5" fill="none"
     stroke="currentColor" stroke-width="2" stroke-linecap="round"/>`,
 };
@@ -76,7 +76,8 @@ export class Screens {
         this.escape();
       });
     }
-    document.querySelectorAll<HTMLElement>(".logo span").forEach((letter, i) => letter.style.setProperty("--i", String(i)));
+    document.querySelectorAll<HTMLElement>(".logo span").forEach((letter, i) => letter.style.setProperty("--i",
+      String(i)));
     element("pause").innerHTML = svg("pause");
     this.fillKinds();
     this.fillToggles();

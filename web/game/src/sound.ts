@@ -32,7 +32,8 @@ export class Sound {
 
   hit(speed: number, block?: BlockKind): void {
     const length = block === undefined ? 0.7 : lengths[block] ?? 0.8;
-    this.boing.play({ speed: speed * 0.8, length, squash: block === "stone" || block === "tough" ? 0.95 : 0.6, duration: 0.05 });
+    this.boing.play({ speed: speed * 0.8, length, squash: block === "stone" || block === "tough" ? 0.95 : 0.6,
+      duration: 0.05 });
   }
   /** `combo` from 1. */
   pop(combo: number): void {

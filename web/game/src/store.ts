@@ -17,7 +17,8 @@ export interface Score {
   readonly date: string;
 }
 
-const kOptions = "squashout.options", kScores = "squashout.scores", kReached = "squashout.reached", kName = "squashout.name";
+const kOptions = "squashout.options", kScores = "squashout.scores", kReached = "squashout.reached",
+  kName = "squashout.name";
 export const kMostScores = 10;
 
 function read(key: string): unknown {
@@ -37,7 +38,8 @@ function write(key: string, value: unknown): void {
 
 export function loadOptions(): Options {
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  const options: Options = { sound: true, gravity: false, hitStop: true, shake: true, particles: true, reducedMotion: calm };
+  const options: Options = { sound: true, gravity: false, hitStop: true, shake: true, particles: true,
+    reducedMotion: calm };
   const kept = read(kOptions);
   if (typeof kept === "object" && kept !== null) {
     for (const key of Object.keys(options) as (keyof Options)[]) {

@@ -1,5 +1,6 @@
 // Blocks, paddle and balls in three.js: one draw call for each kind, placed from the rules' list of what is drawn.
-import { BufferGeometry, CatmullRomCurve3, Color, ExtrudeGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial,
+import { BufferGeometry, CatmullRomCurve3, Color, ExtrudeGeometry, Group, InstancedMesh, Matrix4, Mesh,
+  MeshBasicMaterial,
   MeshStandardMaterial, PlaneGeometry, Shape, SphereGeometry, TubeGeometry, Vector2, Vector3 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
@@ -104,19 +105,22 @@ export class Things {
         if (which === "cracked" && kind !== "tough") continue;
         const map = signTexture(of_kind, aspect);
         if (map === undefined) continue;
-        signs[which] = new Batch(this.group, face, new MeshBasicMaterial({ map, transparent: true, depthWrite: false }), false);
+        signs[which] = new Batch(this.group, face, new MeshBasicMaterial({ map, transparent: true,
+          depthWrite: false }), false);
         signs[which].mesh.renderOrder = 2;
       }
       this.kinds.set(kind, { solid: new Batch(this.group, is_round ? round : box, material), signs });
     }
     const ball = new SphereGeometry(ballRadius, 40, 28).rotateZ(-Math.PI / 2);
-    this.ball = new Batch(this.group, ball, patterned("two-tone", [ballRadius, ballRadius, ballRadius], palette.cream), true, 12);
+    this.ball = new Batch(this.group, ball, patterned("two-tone", [ballRadius, ballRadius, ballRadius], palette.cream),
+      true, 12);
     this.egg = new Batch(this.group, new SphereGeometry(r * 0.55, 20, 16),
       new MeshStandardMaterial({ color: palette.ball, roughness: 0.4 }), false, 40);
     const stem = new TubeGeometry(new CatmullRomCurve3([new Vector3(0.06, r * 0.85, 0), new Vector3(0.1, r * 1.2, 0),
       new Vector3(0.2, r * 1.3, 0)]), 8, 0.035, 6);
     this.fuse = new Batch(this.group, stem, new MeshStandardMaterial({ color: 0xd8c49a, roughness: 0.9 }), false, 80);
-    this.trail = new Batch(this.group, new SphereGeometry(ballRadius, 20, 14), new MeshBasicMaterial({ color: palette.ball,
+    this.trail = new Batch(this.group, new SphereGeometry(ballRadius, 20, 14),
+      new MeshBasicMaterial({ color: palette.ball,
       transparent: true, opacity: 0.13, depthWrite: false }), false, 140);
     this.group.add(this.paddle);
   }
@@ -143,7 +147,8 @@ export class Things {
   /** The matrix of item `i` of the list. */
   private read(drawn: Float32Array, i: number): Matrix4 {
     const n = drawn.subarray(kDrawnFloats * i + 4, kDrawnFloats * (i + 1));
-    return this.matrix.set(n[0]!, n[3]!, n[6]!, n[9]!, n[1]!, n[4]!, n[7]!, n[10]!, n[2]!, n[5]!, n[8]!, n[11]!, 0, 0, 0, 1);
+    return this.matrix.set(n[0]!, n[3]!, n[6]!, n[9]!, n[1]!, n[4]!, n[7]!, n[10]!, n[2]!, n[5]!, n[8]!, n[11]!, 0, 0,
+      0, 1);
   }
 
   /** Once a frame. `elapsed` s; `trails`: whether balls leave one. */
@@ -179,7 +184,8 @@ export class Things {
     const { solid, signs } = this.kinds.get(kind)!;
     const y = matrix.elements[13]!;
     const row = Math.max(0, Math.round((kTopRow - y) / kRowPitch));
-    solid.add(matrix, kind === "plain" ? this.color.setHex(rowColors[row % rowColors.length]!) : this.color.setHex(0xffffff));
+    solid.add(matrix, kind === "plain" ? this.color.setHex(rowColors[row % rowColors.length]!)
+      : this.color.setHex(0xffffff));
     const sign = kind === "tough" && hits_left < 2 ? signs.cracked : signs.whole;
     sign?.add(matrix);
     if (kind === "ball") this.egg.add(matrix);

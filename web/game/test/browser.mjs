@@ -1,4 +1,5 @@
-// The page in Chromium: started, played by keys to losing and by the bot to winning level one, paused, resumed, muted; by
+// The page in Chromium: started, played by keys to losing and by the bot to winning level one, paused, resumed,
+// muted; by
 // touch and gamepad; offline; without faults of access; with the hashes of native programs.
 // Usage: node test/browser.mjs CHROMIUM PICTURES
 import { mkdirSync, readFileSync } from "node:fs";
@@ -13,7 +14,8 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
 const root = new URL("../../../", import.meta.url);
 const server = await serve(fileURLToPath(new URL("../dist", import.meta.url)));
 const browser = await chromium.launch({ executablePath,
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--autoplay-policy=no-user-gesture-required"] });
+  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+    "--autoplay-policy=no-user-gesture-required"] });
 
 let checks = 0;
 function expect(what, holds) {
@@ -139,7 +141,8 @@ async function touch() {
   await page.tap("#title [data-do=play]");
   await page.waitForFunction(() => window.squashout.app.mode === "playing");
   const client = await context.newCDPSession(page);
-  const send = (type, x) => client.send("Input.dispatchTouchEvent", { type, touchPoints: x === undefined ? [] : [{ x, y: 650 }] });
+  const send = (type, x) => client.send("Input.dispatchTouchEvent", { type, touchPoints: x === undefined ? [] : [{ x,
+    y: 650 }] });
   await send("touchStart", 180);
   await send("touchMove", 230);
   await app(page, (a) => a.pass(0.5));
@@ -187,7 +190,8 @@ async function calmAndOffline() {
   await page.waitForTimeout(400);
   expect("the title's game stands still then", (await state(page)).steps === before.steps);
   await page.evaluate(() => navigator.serviceWorker.ready);
-  await page.waitForFunction(async () => (await caches.keys()).length > 0 && navigator.serviceWorker.controller !== null);
+  await page.waitForFunction(async () => (await caches.keys()).length > 0 &&
+    navigator.serviceWorker.controller !== null);
   await context.setOffline(true);
   await page.reload();
   await page.waitForFunction(() => window.squashout !== undefined);

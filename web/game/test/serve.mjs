@@ -4,7 +4,8 @@ import { createServer } from "node:http";
 import { extname, join, normalize } from "node:path";
 
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".json": "application/json",
-  ".svg": "image/svg+xml", ".wasm": "application/wasm", ".woff2": "font/woff2", ".webmanifest": "application/manifest+json" };
+  ".svg": "image/svg+xml", ".wasm": "application/wasm", ".woff2": "font/woff2",
+    ".webmanifest": "application/manifest+json" };
 
 /** Resolves to { url, close }. */
 export async function serve(folder, port = 0) {
@@ -12,7 +13,8 @@ export async function serve(folder, port = 0) {
     const path = normalize(new URL(request.url, "http://x").pathname).replace(/\/$/, "/index.html");
     try {
       const body = readFileSync(join(folder, path));
-      response.writeHead(200, { "content-type": types[extname(path)] ?? "application/octet-stream", "cache-control": "no-cache" }).end(body);
+      response.writeHead(200, { "content-type": types[extname(path)] ?? "application/octet-stream",
+        "cache-control": "no-cache" }).end(body);
     } catch {
       response.writeHead(404).end();
     }
