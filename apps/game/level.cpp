@@ -10,7 +10,6 @@
 
 namespace squashout {
 
-using elastoon::Error;
 using elastoon::Json;
 using elastoon::JsonReader;
 using elastoon::pathPart;

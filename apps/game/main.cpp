@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -59,6 +60,9 @@ void runRecord(const Options& options) {
     def.gravity = options.gravity;
     def.first_level = options.level - 1;
     const auto play = squashout::playOfBot(levelsOf(options), def, options.skill, options.seconds);
+    const auto folder = std::filesystem::path(options.file).parent_path();
+    std::error_code ignored; // what cannot be made cannot be written to, which is told
+    std::filesystem::create_directories(folder, ignored);
     std::ofstream stream(options.file, std::ios::binary);
     stream << play.toJson();
     if (!stream.flush()) {
