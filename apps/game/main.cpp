@@ -1,5 +1,6 @@
 // elastoon-game: Squashout without a screen. Checks levels, plays them by the bot, and plays recorded games again.
 #include "commands.h"
+#include "progress.h"
 #include "soak.h"
 
 #include <fmt/format.h>
@@ -29,19 +30,26 @@ LevelsPtr levelsOf(const Options& options) {
 }
 
 void runSoak(const Options& options) {
-    const auto report = squashout::soak(
-        levelsOf(options), {.games = options.games, .first_seed = options.seed, .oracle = !options.no_oracle});
+    elastoon::Progress progress("games", options.games);
+    squashout::SoakOptions wanted;
+    wanted.games = options.games;
+    wanted.first_seed = options.seed;
+    wanted.oracle = !options.no_oracle;
+    wanted.after_each = [&](int played) { progress.at(played); };
+    const auto report = squashout::soak(levelsOf(options), wanted);
     fmt::print(
         "games={} won={} lost={} unended={} minutes={:.0f} pops={} blasts={} balls_added={} balls_lost={} nudges={} "
         "widenings={} most_score={}\n",
         report.games, report.won, report.lost, report.unended,
         static_cast<double>(report.steps) * squashout::kStep / 60.0, report.pops, report.blasts, report.balls_added,
         report.balls_lost, report.nudges, report.widenings, report.most_score);
-    fmt::print(
-        "looks={} wall_depth={:.2e} solid_depth={:.2e} not_finite={} escapes={} squeezes={} speed={:.2f}..{:.2f} "
-        "longest_contact={:.3f}\n",
-        report.seen.looks, report.seen.depth, report.seen.solid_depth, report.seen.not_finite, report.seen.escapes,
-        report.seen.squeezes, report.seen.slowest, report.seen.fastest, report.seen.longest_contact);
+    if (wanted.oracle) {
+        fmt::print(
+            "looks={} wall_depth={:.2e} solid_depth={:.2e} not_finite={} escapes={} squeezes={} speed={:.2f}..{:.2f} "
+            "longest_contact={:.3f}\n",
+            report.seen.looks, report.seen.depth, report.seen.solid_depth, report.seen.not_finite, report.seen.escapes,
+            report.seen.squeezes, report.seen.slowest, report.seen.fastest, report.seen.longest_contact);
+    }
     if (!report.seen.deepest_where.empty()) {
         fmt::print("deepest: {}\n", report.seen.deepest_where);
     }

@@ -66,6 +66,9 @@ SoakReport soak(const std::shared_ptr<const std::vector<Level>>& levels, const S
         report.most_score = std::max(report.most_score, game.score());
         hash.add(game.hash());
         ++report.games;
+        if (options.after_each) {
+            options.after_each(report.games);
+        }
     }
     report.hash = hash.value();
     return report;

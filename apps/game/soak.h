@@ -4,6 +4,8 @@
 #include "play.h"
 #include "witness.h"
 
+#include <functional>
+
 namespace squashout {
 
 struct SoakOptions {
@@ -11,6 +13,7 @@ struct SoakOptions {
     std::uint64_t first_seed = 1;
     double longest = 30.0 * 60.0; ///< s of play within which each must end
     bool oracle = true;
+    std::function<void(int)> after_each; ///< told how many games are over; may be empty
 };
 
 struct SoakReport {
