@@ -1,21 +1,23 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, and says so; silent and quick when none is.
-# Usage: install.sh run|test|bench
+# Usage: install.sh run|test|bench|web
 set -euo pipefail
 
 packages=(g++ cmake ninja-build ccache pkg-config libglm-dev nlohmann-json3-dev libcli11-dev libfmt-dev libembree-dev
   libtinygltf-dev libassimp-dev libcairo2-dev libtbb-dev libgtest-dev libqhull-dev ffmpeg)
-if [ "${1:-run}" = test ]; then
-  packages+=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev lld-19)
-  command -v node > /dev/null || packages+=(nodejs)
-  command -v npm > /dev/null || packages+=(npm)
-  # The WebAssembly module, and a browser to run it in.
-  packages+=(wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 llvm-19 chromium)
+# The WebAssembly module, and what pages are built with.
+web=(clang-19 lld-19 libclang-rt-19-dev-wasm32 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 llvm-19)
+command -v node > /dev/null || web+=(nodejs)
+command -v npm > /dev/null || web+=(npm)
+if [ "${1:-run}" = web ]; then
+  packages=(g++ cmake ninja-build ccache pkg-config libglm-dev nlohmann-json3-dev "${web[@]}")
+elif [ "${1:-run}" = test ]; then
+  packages+=("${web[@]}" clang-format-19 clang-tidy-19 libclang-rt-19-dev chromium)
   # To see that arm64 has the same bits; on arm64 it is the machine's own compiler.
   [ "$(dpkg --print-architecture)" = arm64 ] || packages+=(g++-aarch64-linux-gnu qemu-user)
 fi
 # What the benchmark compares with.
-[ "${1:-run}" != run ] && packages+=(libfcl-dev libbullet-dev libccd-dev)
+[[ ${1:-run} =~ ^(test|bench)$ ]] && packages+=(libfcl-dev libbullet-dev libccd-dev)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -324,6 +324,31 @@ Impact blendImpact(const Impact& impact, double t, std::span<const AlsoTouched> 
     return blended;
 }
 
+Impact steeredImpact(const Impact& impact, double t, const Vec3& velocity, const Shape& shape, const Style& style,
+                     const Vec3& gravity) {
+    Impact steered = impact;
+    const double elapsed = t - impact.begun;
+    const bool squashes = elapsed < impact.curve.t_in;
+    steered.comes_to_rest = false;
+    const auto aim = [&] {
+        const double end = impact.begun + steered.curve.duration();
+        steered.velocity_out = Vec3(0.0);
+        const Vec3 carried = velocityAfter(steered, end);
+        steered.velocity_out = glm::conjugate(impact.surface.frame.orientationAt(end)) * (velocity - carried);
+    };
+    aim();
+    if (squashes) {
+        steered.curve = withEnd(impact.curve, style, shape.length(), glm::length(steered.velocity_out),
+                                stretchAtSpeed(style, glm::length(velocity)));
+        aim();
+        const double share =
+            (turnShare(impact.curve, impact.easing, elapsed) - impact.turn_from) / (1.0 - impact.turn_from);
+        steered.orientation = rotationAbout(impact.turn_axis, impact.turn_angle * share) * impact.orientation;
+        planTurn(steered, t, gravity, impact.skims == Vec3(0.0) ? impact.surface.normal : Vec3(0.0), style);
+    }
+    return steered;
+}
+
 Pose impactPose(const Impact& impact, const Shape& shape, double t, double factor) {
     const double elapsed = t - impact.begun;
     const double share =

@@ -371,6 +371,21 @@ void Moment::restOn(const Impact& impact, const std::vector<KeptClear>& pressing
     begin(std::move(next));
 }
 
+void Moment::steer(const Vec3& velocity) {
+    Phase phase = body_.phase;
+    auto& impact = phase.get<Impact>();
+    const bool ends_itself = phase.end == impact.begun + impact.curve.duration();
+    impact = steeredImpact(impact, t_, velocity, *body_.shape, body_.style, around_.gravity);
+    phase.start = t_;
+    // Where something else ends it, that is looked for again, from now on.
+    const double whole = impact.begun + impact.curve.duration();
+    phase.end = ends_itself ? whole : std::min(phase.end, whole);
+    if (!phase.clear_of.empty()) {
+        phase.end = std::max(t_, std::min(phase.end, blockedAt(phase, *body_.shape)));
+    }
+    begin(std::move(phase));
+}
+
 void Moment::endImpact() {
     const Phase& phase = body_.phase;
     const auto& impact = phase.get<Impact>();

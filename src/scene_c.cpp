@@ -2,6 +2,7 @@
 #include "elastoon/scene.h"
 
 #include "c_interface.h"
+#include "check_input.h"
 
 #include <memory>
 #include <string>
@@ -160,6 +161,27 @@ ElastoonResult elastoonSceneObstacle(ElastoonScene scene, size_t index, Elastoon
                      {shape, toC(def.normal), toC(def.position), toC(def.rotation), toC(def.velocity),
                       toC(def.angular_velocity), path.empty() ? nullptr : path.data(), path.size(), def.path_repeats},
                      toC(obstacle.color)};
+    return kElastoonOk;
+}
+
+ElastoonResult elastoonSceneObstacleFrame(ElastoonScene scene, size_t index, double time,
+                                          ElastoonObstacleFrame* out_frame) {
+    const HeldScene* held = find(scene);
+    if (held == nullptr) {
+        return badId("scene");
+    }
+    if (out_frame == nullptr) {
+        return nullPointer("out_frame");
+    }
+    if (index >= held->scene.obstacles.size()) {
+        return badIndex();
+    }
+    if (!(time >= 0.0 && time <= kMostStep)) {
+        return refuse(kElastoonBadArgument, "must be from 0 to 1e6 s", "time");
+    }
+    const MovingFrame frame = frameAt(held->scene.obstacles[index].def, 0.0, time);
+    *out_frame = {toC(frame.originAt(time)), toC(frame.orientationAt(time)), toC(frame.velocity),
+                  toC(frame.angular_velocity)};
     return kElastoonOk;
 }
 

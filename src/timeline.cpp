@@ -42,7 +42,7 @@ void Timeline::begin(const World& world) {
     *this = Timeline{};
     start_ = end_ = world.time();
     for (const BodyId id : world.bodies()) {
-        trackOf(world, id)->phases_.push_back(world.phase(id));
+        keep(*trackOf(world, id), world.phase(id), 0);
     }
 }
 
@@ -50,11 +50,40 @@ void Timeline::capture(const World& world) {
     // A phase that begin() has taken comes once more: of phases with one start, the last one holds.
     for (const PhaseBegun& begun : world.phasesBegun()) {
         if (Track* track = trackOf(world, begun.body)) {
-            track->phases_.push_back(begun.phase);
+            keep(*track, begun.phase, moments_.size() + 1);
         }
     }
     events_.insert(events_.end(), world.events().begin(), world.events().end());
     end_ = world.time();
+    moments_.push_back({end_, events_.size()});
+}
+
+void Timeline::keep(Track& track, const Phase& phase, std::size_t capture) {
+    track.phases_.push_back(phase);
+    track.captured_.push_back(capture);
+}
+
+void Timeline::cut(std::size_t captures) {
+    if (captures >= moments_.size()) {
+        return;
+    }
+    moments_.resize(captures);
+    events_.resize(captures == 0 ? 0 : moments_.back().events);
+    end_ = captures == 0 ? start_ : moments_.back().time;
+    for (Track& track : tracks_) {
+        while (!track.captured_.empty() && track.captured_.back() > captures) {
+            track.captured_.pop_back();
+            track.phases_.pop_back();
+        }
+    }
+    // Tracks stand in the order in which they came: those without a phase are the last ones.
+    while (!tracks_.empty() && tracks_.back().phases_.empty()) {
+        tracks_.pop_back();
+    }
+    std::fill(track_of_slot_.begin(), track_of_slot_.end(), std::size_t{0});
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+        track_of_slot_[tracks_[i].body().slot] = i + 1;
+    }
 }
 
 } // namespace elastoon

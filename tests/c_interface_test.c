@@ -456,6 +456,11 @@ static void testScenes(void) {
     REFUSED(elastoonSceneBody(scene, 1, &body), kElastoonBadArgument, "index");
     REFUSED(elastoonSceneObstacle(scene, 2, &obstacle), kElastoonBadArgument, "index");
     REFUSED(elastoonSceneShape(scene, 2, NULL, &shape), kElastoonBadArgument, "index");
+    ElastoonObstacleFrame frame;
+    OK(elastoonSceneObstacleFrame(scene, 1, 0.5, &frame));
+    CHECK(near(frame.position.y, 1.5, 1e-12) && frame.velocity.y == 1.0);
+    REFUSED(elastoonSceneObstacleFrame(scene, 2, 0.5, &frame), kElastoonBadArgument, "index");
+    REFUSED(elastoonSceneObstacleFrame(scene, 1, -1.0, &frame), kElastoonBadArgument, "time");
     OK(elastoonSceneStage(scene, &world));
     OK(elastoonSceneDestroy(scene));
     CHECK(!elastoonShapeIsValid(shape) && !elastoonSceneIsValid(scene));
@@ -465,6 +470,81 @@ static void testScenes(void) {
     REFUSED(elastoonSceneParse("{\"elastoon\":1,\"bodys\":[]}", 25, "bad.json", &scene), kElastoonBadData, "bodies");
     REFUSED(elastoonSceneParse("{\"elastoon\":", 12, NULL, &scene), kElastoonBadData, "line 1");
     REFUSED(elastoonSceneParse(NULL, 0, NULL, &scene), kElastoonBadArgument, "null");
+}
+
+static void testTimeline(void) {
+    ElastoonShape shape;
+    const ElastoonWorld world = worldWithFloor(&shape);
+    const ElastoonBody first = addBall(world, shape, 0.0, 3.0);
+    ElastoonBody late = {0, 0, {0, 0}};
+    ElastoonTimeline timeline;
+    ElastoonTimelineInfo info;
+    ElastoonPose seen[120], pose;
+    ElastoonVec3 velocity;
+    float matrices[24];
+    const ElastoonEvent* events = NULL;
+    size_t count = 0;
+    OK(elastoonTimelineBegin(world, &timeline));
+    for (int i = 0; i < 120; ++i) {
+        if (i == 60) {
+            late = addBall(world, shape, 4.0, 3.0);
+        }
+        OK(elastoonWorldStep(world, 1.0 / 60.0));
+        OK(elastoonTimelineCapture(timeline));
+        OK(elastoonBodyPose(first, &seen[i]));
+    }
+    OK(elastoonTimelineInfo(timeline, &info));
+    CHECK(info.start == 0.0 && info.capture_count == 120 && near(info.end, 2.0, 1e-12));
+    for (int i = 119; i >= 0; --i) {
+        double time = 0.0;
+        for (int step = 0; step <= i; ++step) {
+            time += 1.0 / 60.0;
+        }
+        OK(elastoonTimelinePoses(timeline, first, &time, 1, &pose, &velocity));
+        CHECK(pose.position.y == seen[i].position.y && pose.stretch == seen[i].stretch);
+    }
+    OK(elastoonTimelineMatrices(timeline, 0.5, NULL, 0, &count));
+    CHECK(count == 2);
+    OK(elastoonTimelineMatrices(timeline, 0.5, matrices, 2, &count));
+    CHECK(matrices[0] != 0.0F && matrices[12] == 0.0F);
+    OK(elastoonTimelineMatrices(timeline, info.end, matrices, 2, &count));
+    CHECK(matrices[12] != 0.0F && near(matrices[10], seen[119].position.y, 1e-6));
+    OK(elastoonTimelineEvents(timeline, &events, &count));
+    CHECK(count >= 2 && events[0].type == kElastoonImpact && events[0].body.slot == first.slot);
+    OK(elastoonTimelineCut(timeline, 0));
+    OK(elastoonTimelineEvents(timeline, &events, &count));
+    CHECK(count == 0);
+    REFUSED(elastoonTimelinePoses(timeline, late, NULL, 0, NULL, NULL), kElastoonBadId, "body");
+    REFUSED(elastoonTimelineMatrices(timeline, NAN, NULL, 0, &count), kElastoonBadArgument, "time");
+    REFUSED(elastoonTimelineMatrices(timeline, 0.0, matrices, 0, &count), kElastoonTooSmall, "small");
+    REFUSED(elastoonTimelineBegin(world, NULL), kElastoonBadArgument, "null");
+    OK(elastoonWorldDestroy(world));
+    REFUSED(elastoonTimelineCapture(timeline), kElastoonBadId, "world");
+    OK(elastoonTimelineDestroy(timeline));
+    CHECK(!elastoonTimelineIsValid(timeline));
+    REFUSED(elastoonTimelineInfo(timeline, &info), kElastoonBadId, "timeline");
+}
+
+/** The check figures of docs/model.md. */
+static void testCurves(void) {
+    ElastoonStyle style = elastoonDefaultStyle();
+    ElastoonImpactInput input = {1.0, 14.007, 0.0, 7.0035, 0.0, 0.0, false};
+    ElastoonImpactCurve curve;
+    double s[3];
+    style.squash_law = kElastoonPaper;
+    OK(elastoonStretchAtSpeed(&style, input.speed_in, &input.s_in));
+    OK(elastoonStretchAtSpeed(&style, input.speed_out, &input.s_out));
+    OK(elastoonImpactCurve(&style, &input, &curve));
+    CHECK(near(curve.s_in, 1.5835, 1e-4) && near(curve.s_mid, 0.6041, 1e-4) && near(curve.t_in, 0.1098, 1e-4) &&
+          near(curve.s_out, 1.4119, 1e-4) && near(curve.t_out, 0.1812, 1e-4));
+    const double times[3] = {0.0, curve.t_in, curve.t_in + curve.t_out};
+    OK(elastoonImpactCurveAt(&curve, times, 3, s));
+    CHECK(near(s[0], curve.s_in, 1e-12) && near(s[1], curve.s_mid, 1e-9) && near(s[2], curve.s_out, 1e-9));
+    input.length = 0.0;
+    REFUSED(elastoonImpactCurve(&style, &input, &curve), kElastoonBadArgument, "length");
+    style.max_stretch = 0.0;
+    REFUSED(elastoonStretchAtSpeed(&style, 1.0, &s[0]), kElastoonBadArgument, "max_stretch");
+    REFUSED(elastoonStretchAtSpeed(NULL, 1.0, &s[0]), kElastoonBadArgument, "null");
 }
 
 int main(void) {
@@ -479,6 +559,8 @@ int main(void) {
     testSnapshot();
     testParallelFor();
     testScenes();
+    testTimeline();
+    testCurves();
     printf("%d failures\n", failures);
     return failures == 0 ? 0 : 1;
 }

@@ -223,8 +223,8 @@ TEST_F(Program, FiguresAreMade) {
     const Ran ran =
         run("figures --no-video --samples 1 --only 5 6 7 8 --scenes " + scenePath("figures") + " -o " + path(""));
     EXPECT_EQ(ran.code, 0) << ran.output;
-    EXPECT_EQ(fileCount(), 4U) << ran.output;
-    EXPECT_NE(ran.output.find("figure 8: not yet"), std::string::npos);
+    EXPECT_EQ(fileCount(), 5U) << ran.output;
+    EXPECT_NE(ran.output.find("figure-8-squashout.png"), std::string::npos);
 }
 
 TEST_F(Program, UnwritableOutputExitsWithOne) {

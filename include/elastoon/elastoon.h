@@ -150,6 +150,32 @@ ELASTOON_API size_t elastoonNamedStyleCount(void);
 ELASTOON_API ElastoonResult elastoonNamedStyleInfo(size_t index, const char** out_name, const char** out_description);
 ELASTOON_API ElastoonResult elastoonNamedStyle(const char* name, ElastoonStyle* out_style);
 
+/** What an impact's curve is made from: docs/model.md. */
+typedef struct ElastoonImpactInput {
+    double length; /**< of the body along its principal axis, m */
+    double speed_in; /**< relative to the surface, m/s */
+    double s_in; /**< stretch at the touch */
+    double speed_out; /**< after it, m/s */
+    double s_out; /**< stretch of what follows */
+    double rest_speed; /**< m/s; 0 is good where it is not known */
+    bool turns; /**< the body has to turn, which takes time even where nothing squashes */
+} ElastoonImpactInput;
+
+/** Stretch through an impact: a sine from s_in down to s_mid in t_in, a cosine up to s_out in t_out. */
+typedef struct ElastoonImpactCurve {
+    double s_in, s_mid, s_out;
+    double omega_in, omega_out; /**< rad/s; 0 where the half takes no time */
+    double t_in, t_out; /**< s */
+} ElastoonImpactCurve;
+
+/** Stretch of a body that flies at this speed, m/s (>= 0). */
+ELASTOON_API ElastoonResult elastoonStretchAtSpeed(const ElastoonStyle* style, double speed, double* out_stretch);
+ELASTOON_API ElastoonResult elastoonImpactCurve(const ElastoonStyle* style, const ElastoonImpactInput* input,
+                                                ElastoonImpactCurve* out_curve);
+/** The stretch at each of the times after the touch; the ends hold before and after. */
+ELASTOON_API ElastoonResult elastoonImpactCurveAt(const ElastoonImpactCurve* curve, const double* times, size_t count,
+                                                  double* out_stretches);
+
 /* ---- Shapes: convex, about their volume centroid, principal axis along x ---- */
 
 typedef enum ElastoonShapeKind {
@@ -287,6 +313,38 @@ ELASTOON_API ElastoonResult elastoonWorldSnapshot(ElastoonWorld world, bool incl
    id, and those in the bytes. Refused, with the world as it was: bytes that are damaged or of another version. */
 ELASTOON_API ElastoonResult elastoonWorldRestore(ElastoonWorld world, const void* bytes, size_t size);
 
+/* ---- Timelines: all that the bodies of a world did, for any time, forwards and back ---- */
+
+typedef struct ElastoonTimeline {
+    uint32_t slot, generation;
+} ElastoonTimeline;
+
+typedef struct ElastoonTimelineInfo {
+    double start, end; /**< world time, s */
+    size_t capture_count; /**< steps that were captured */
+} ElastoonTimelineInfo;
+
+/** Takes what is in the world now; capture after each step. It keeps no hold of the world. */
+ELASTOON_API ElastoonResult elastoonTimelineBegin(ElastoonWorld world, ElastoonTimeline* out_timeline);
+/** Takes what the last step of the world did. */
+ELASTOON_API ElastoonResult elastoonTimelineCapture(ElastoonTimeline timeline);
+/** Forgets what came after that many captures: for a world that was restored to that step and goes another way from
+    there. */
+ELASTOON_API ElastoonResult elastoonTimelineCut(ElastoonTimeline timeline, size_t captures);
+ELASTOON_API ElastoonResult elastoonTimelineDestroy(ElastoonTimeline timeline);
+ELASTOON_API bool elastoonTimelineIsValid(ElastoonTimeline timeline);
+ELASTOON_API ElastoonResult elastoonTimelineInfo(ElastoonTimeline timeline, ElastoonTimelineInfo* out_info);
+/** As elastoonWorldMatrices, as it was at that time: zeros for bodies that came later. A body that was removed goes on
+   as it was expected to until its slot is used again. */
+ELASTOON_API ElastoonResult elastoonTimelineMatrices(ElastoonTimeline timeline, double time, float* out_matrices,
+                                                     size_t capacity, size_t* out_count);
+/** Poses and velocities of one body at the times; either array may be null. */
+ELASTOON_API ElastoonResult elastoonTimelinePoses(ElastoonTimeline timeline, ElastoonBody body, const double* times,
+                                                  size_t count, ElastoonPose* out_poses, ElastoonVec3* out_velocities);
+/** All events, by step, in memory of the timeline's own. Valid until the next capture or cut. */
+ELASTOON_API ElastoonResult elastoonTimelineEvents(ElastoonTimeline timeline, const ElastoonEvent** out_events,
+                                                   size_t* out_count);
+
 /* ---- Bodies ---- */
 
 typedef struct ElastoonBodyDef {
@@ -338,6 +396,9 @@ ELASTOON_API ElastoonResult elastoonBodyShape(ElastoonBody body, ElastoonShape* 
 ELASTOON_API ElastoonResult elastoonBodySetPosition(ElastoonBody body, ElastoonVec3 position);
 /** The body flies with this velocity from now on. */
 ELASTOON_API ElastoonResult elastoonBodySetVelocity(ElastoonBody body, ElastoonVec3 velocity);
+/** The impact that the body is in ends with this velocity (world), for a game's paddle; it turns towards it about the
+ * contact. Refused in no impact, and where the velocity does not part from the surface. */
+ELASTOON_API ElastoonResult elastoonBodySteerImpact(ElastoonBody body, ElastoonVec3 velocity);
 /** Holds from the body's next phase on; a flight takes it over at once. */
 ELASTOON_API ElastoonResult elastoonBodySetStyle(ElastoonBody body, const ElastoonStyle* style);
 /** The body's poses `delays[i]` s from now (0 to 1e6), as far as nothing is changed meanwhile. The world stays as it
@@ -439,6 +500,9 @@ ELASTOON_API ElastoonResult elastoonSceneShape(ElastoonScene scene, size_t index
 ELASTOON_API ElastoonResult elastoonSceneBody(ElastoonScene scene, size_t index, ElastoonSceneBody* out_body);
 ELASTOON_API ElastoonResult elastoonSceneObstacle(ElastoonScene scene, size_t index,
                                                   ElastoonSceneObstacle* out_obstacle);
+/** Where that obstacle is `time` s after the scene was staged, if nobody changes it. */
+ELASTOON_API ElastoonResult elastoonSceneObstacleFrame(ElastoonScene scene, size_t index, double time,
+                                                       ElastoonObstacleFrame* out_frame);
 /** A new world with all of the scene: its bodies and obstacles have the slots 1, 2, ... in the scene's order. */
 ELASTOON_API ElastoonResult elastoonSceneStage(ElastoonScene scene, ElastoonWorld* out_world);
 

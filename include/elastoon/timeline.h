@@ -28,6 +28,7 @@ private:
     BodyId body_;
     ShapePtr shape_;
     std::vector<Phase> phases_;
+    std::vector<std::size_t> captured_; ///< of each phase: the capture that brought it, from 1; 0: begin()
 };
 
 /// Fills itself from a world: begin() once, then capture() after each step.
@@ -38,7 +39,12 @@ public:
     /// Takes the phases and events of the last step; bodies added meanwhile get a track. (Of a body that was added and
     /// removed again before the step, nothing is kept.)
     void capture(const World& world);
+    /// Forgets what came after that many captures: for a world that was restored to an earlier step and goes another
+    /// way from there.
+    void cut(std::size_t captures);
 
+    /// Since begin().
+    [[nodiscard]] std::size_t captures() const { return moments_.size(); }
     [[nodiscard]] const std::vector<Track>& tracks() const { return tracks_; }
     /// In order of time.
     [[nodiscard]] const std::vector<Event>& events() const { return events_; }
@@ -46,11 +52,19 @@ public:
     [[nodiscard]] double end() const { return end_; }
 
 private:
+    /// What there was after a capture.
+    struct Moment {
+        double time = 0.0;
+        std::size_t events = 0;
+    };
+
     Track* trackOf(const World& world, BodyId body);
+    static void keep(Track& track, const Phase& phase, std::size_t capture);
 
     std::vector<Track> tracks_;
     std::vector<std::size_t> track_of_slot_; ///< index + 1 of the newest track of a slot; 0: none
     std::vector<Event> events_;
+    std::vector<Moment> moments_;
     double start_ = 0.0, end_ = 0.0;
 };
 

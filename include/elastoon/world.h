@@ -164,6 +164,11 @@ public:
     Status setPosition(BodyId id, const Vec3& position);
     /// The body flies with this velocity from now on; the end of it that is nearer to the heading leads.
     Status setVelocity(BodyId id, const Vec3& velocity);
+    /// An impact's outcome, for a game's paddle: the body turns and stretches about its contact towards this velocity
+    /// (world) and leaves with it. The impact takes it over smoothly: its turn in the squash half, later its velocity
+    /// alone. Where the surface changes its own velocity afterwards, steer again. Refused: a body that is in no impact,
+    /// and a velocity that does not part from the surface.
+    Status steerImpact(BodyId id, const Vec3& velocity);
     /// Holds from the body's next phase on; a flight takes it over at once.
     Status setStyle(BodyId id, const Style& style);
     /// Flights go on under the new gravity.

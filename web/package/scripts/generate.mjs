@@ -78,6 +78,10 @@ export type StyleName = ${named.map((n) => `"${n.name}"`).join(" | ")};
 
 export const styleNames: readonly StyleName[] = ${JSON.stringify(named.map((n) => n.name))};
 
+/** What each of them is like, in a line. */
+export const styleDescriptions: Readonly<Record<StyleName, string>> =
+  ${JSON.stringify(Object.fromEntries(named.map((n) => [n.name, n.description])), null, 2)};
+
 export interface StyleParameterInfo {
   readonly name: keyof StyleParameters;
   /** As the documentation writes it; may be empty. */

@@ -4,12 +4,14 @@ import { core, start, type WasmSource } from "./core.js";
 export { Body, BodyDesc, type Phase, type PhaseKind, type Pose } from "./body.js";
 export { ElastoonError, type ErrorCode, type Rotation, type Vector, type WasmSource } from "./core.js";
 export type { ElastoonEvent, ImpactEvent, ReleaseEvent, StateEvent } from "./event.js";
-export { styleNames, styleParameters } from "./generated/styles.js";
+export { styleDescriptions, styleNames, styleParameters } from "./generated/styles.js";
 export type { StyleName, StyleParameterInfo, StyleParameters } from "./generated/styles.js";
 export { type Frame, Obstacle, ObstacleDesc, type PathKey } from "./obstacle.js";
+export { ImpactCurve, type ImpactInput, stretchAtSpeed } from "./model.js";
 export { type Camera, Scene } from "./scene.js";
 export { Shape, type ShapeKind } from "./shape.js";
-export type { StyleLike } from "./style.js";
+export { type StyleLike, styleNamed } from "./style.js";
+export { Timeline } from "./timeline.js";
 export { World } from "./world.js";
 
 export const Elastoon = {

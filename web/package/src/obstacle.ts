@@ -108,6 +108,16 @@ export interface Frame {
   angvel: Vector;
 }
 
+/** @internal */
+export function readFrame(c: Core, at: number): Frame {
+  return {
+    position: c.vector(at),
+    rotation: c.rotation(at + layout.ObstacleFrame.rotation),
+    linvel: c.vector(at + layout.ObstacleFrame.velocity),
+    angvel: c.vector(at + layout.ObstacleFrame.angular_velocity),
+  };
+}
+
 /** An obstacle of a world. Calls on one that was removed throw, with the code "bad id". */
 export class Obstacle {
   readonly world: World;
@@ -140,12 +150,7 @@ export class Obstacle {
     const c = core();
     const out = c.take(layout.ObstacleFrame.size);
     c.call("elastoonObstacleFrame", c.putId(this.id, this.world.id), out);
-    return {
-      position: c.vector(out),
-      rotation: c.rotation(out + layout.ObstacleFrame.rotation),
-      linvel: c.vector(out + layout.ObstacleFrame.velocity),
-      angvel: c.vector(out + layout.ObstacleFrame.angular_velocity),
-    };
+    return readFrame(c, out);
   }
   /** Of a plane, unit, in its frame. */
   planeNormal(): Vector {

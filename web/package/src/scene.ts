@@ -1,6 +1,7 @@
 // Scene files, read by the library's own reader: the same messages, the same bits.
 import { core, type Id, type Vector } from "./core.js";
 import { layout } from "./generated/layout.js";
+import { type Frame, readFrame } from "./obstacle.js";
 import { World } from "./world.js";
 
 /** From where a scene wants to be seen. */
@@ -61,6 +62,14 @@ export class Scene {
       if (i < this.counts.obstacles) this.describe(obstacle, "elastoonSceneObstacle", i, layout.SceneObstacle);
     });
     return world;
+  }
+
+  /** Where obstacle `index`, in the scene's order, is `time` s after the scene was staged. */
+  obstacleFrame(index: number, time: number): Frame {
+    const c = core();
+    const out = c.take(layout.ObstacleFrame.size);
+    c.call("elastoonSceneObstacleFrame", c.putId(this.id), index, time, out);
+    return readFrame(c, out);
   }
 
   /** Gives its memory back. Worlds that it staged go on. */

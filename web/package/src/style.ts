@@ -1,5 +1,5 @@
 // Styles: by name, or parameter by parameter, as scene files have them.
-import { type Core, ElastoonError } from "./core.js";
+import { type Core, core, ElastoonError } from "./core.js";
 import { layout } from "./generated/layout.js";
 import { styleParameters, type StyleName, type StyleParameters } from "./generated/styles.js";
 
@@ -7,10 +7,10 @@ import { styleParameters, type StyleName, type StyleParameters } from "./generat
 export type StyleLike = StyleName | (Partial<StyleParameters> & { base?: StyleName });
 
 /** Writes the style to a struct at `at`, which is no scratch memory. */
-export function writeStyle(core: Core, at: number, style: StyleLike): void {
+export function writeStyle(c: Core, at: number, style: StyleLike): void {
   const given = typeof style === "string" ? { base: style } : style;
-  if (given.base === undefined) core.plain("elastoonDefaultStyle", at);
-  else core.call("elastoonNamedStyle", core.putText(given.base), at);
+  if (given.base === undefined) c.plain("elastoonDefaultStyle", at);
+  else c.call("elastoonNamedStyle", c.putText(given.base), at);
   for (const [name, value] of Object.entries(given)) {
     if (name === "base" || value === undefined) continue;
     const row = styleParameters.find((parameter) => parameter.name === name);
@@ -23,20 +23,27 @@ export function writeStyle(core: Core, at: number, style: StyleLike): void {
     if (Number.isNaN(number)) {
       throw new ElastoonError("bad argument", `${name}: must be ${words.join(" or ")}, is ${String(value)}`);
     }
-    core.call("elastoonStyleSet", at, core.putText(name), number);
+    c.call("elastoonStyleSet", at, c.putText(name), number);
   }
 }
 
-export function readStyle(core: Core, at: number): StyleParameters {
+/** All parameters of a style that comes with the library. */
+export function styleNamed(name: StyleName): StyleParameters {
+  const c = core();
+  writeStyle(c, c.definition, name);
+  return readStyle(c, c.definition);
+}
+
+export function readStyle(c: Core, at: number): StyleParameters {
   const style: Record<string, number | string> = {};
-  const bytes = core.u8.slice(at, at + layout.Style.size);
-  const own = core.allocate(layout.Style.size + 8);
-  core.u8.set(bytes, own);
+  const bytes = c.u8.slice(at, at + layout.Style.size);
+  const own = c.allocate(layout.Style.size + 8);
+  c.u8.set(bytes, own);
   for (const row of styleParameters) {
-    core.call("elastoonStyleGet", own, core.putText(row.name), own + layout.Style.size);
-    const value = core.f64(own + layout.Style.size);
+    c.call("elastoonStyleGet", own, c.putText(row.name), own + layout.Style.size);
+    const value = c.f64(own + layout.Style.size);
     style[row.name] = row.choices[value] ?? (row.may_be_derived && value === -1 ? "auto" : value);
   }
-  core.free(own);
+  c.free(own);
   return style as unknown as StyleParameters;
 }
