@@ -31,35 +31,6 @@ DistanceScene sceneOf(const char* kind, const BenchBody& body, bool on_floor) {
 
 } // namespace
 
-std::uint64_t BenchRandom::next() {
-    state_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-}
-
-double BenchRandom::uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
-}
-
-Vec3 BenchRandom::direction() {
-    for (;;) {
-        const double x = uniform(-1, 1);
-        const double y = uniform(-1, 1);
-        const Vec3 v(x, y, uniform(-1, 1));
-        const double length = glm::length(v);
-        if (length > 0.1 && length < 1.0) {
-            return v / length;
-        }
-    }
-}
-
-Quat BenchRandom::rotation() {
-    const Vec3 axis = direction();
-    return glm::angleAxis(uniform(0.0, kTurn), axis);
-}
-
 const std::vector<BenchBody>& benchBodies() {
     static const std::vector<BenchBody> kBodies{{"box8", Shape::box({1.0, 0.7, 0.8}).value()},
                                                 {"cylinder24", Shape::cylinder(0.4, 1.0, 12).value()},

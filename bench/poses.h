@@ -1,6 +1,7 @@
 // The bodies, and where they are: the same for every contender and on every run.
 #pragma once
 
+#include "bench_random.h"
 #include "elastoon/shape.h"
 
 #include <cstdint>
@@ -8,19 +9,6 @@
 #include <vector>
 
 namespace elastoon {
-
-/// splitmix64: the same numbers on every machine.
-class BenchRandom {
-public:
-    explicit BenchRandom(std::uint64_t seed) : state_(seed) {}
-    double uniform(double low, double high);
-    Vec3 direction();
-    Quat rotation();
-
-private:
-    std::uint64_t next();
-    std::uint64_t state_;
-};
 
 struct BenchBody {
     std::string name;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds a page of web/ with all that it needs, where something changed: the WebAssembly module, the npm package, the page.
-# Usage: build_page.sh studio
+# Usage: build_page.sh studio|game
 set -euo pipefail
 cd "$(dirname "$0")/.."
 page=web/$1
@@ -25,7 +25,7 @@ if newer_than $package/dist/index.js $package/src $package/scripts $package/pack
 fi
 install_packages "$page"
 if newer_than "$page/dist/index.html" "$page/src" "$page/public" "$page/index.html" "$page/vite.config.ts" web/stage/src scenes \
-  $package/dist/index.js; then
+  apps/game $package/dist/index.js build/wasm/squashout.wasm; then
   echo "build: $page"
   (cd "$page" && npx tsc -p . && npx vite build --logLevel error)
 fi

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Looks through the library's sources and the build's files for what gives other bits on other machines
-# (docs/determinism.md). Usage: check_sources.sh [FILE...], default the library's and the build's own.
+# Looks through the sources of the library and of the game's rules, and the build's files, for what gives other bits on other
+# machines (docs/determinism.md). Usage: check_sources.sh [FILE...], default all of these.
 # First it plants a line of each kind and looks that it is found.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -115,7 +115,8 @@ expect CMakeLists.txt passed 'target_compile_options(elastoon PUBLIC -ffp-contra
 
 files=("$@")
 if [ ${#files[@]} -eq 0 ]; then
-  files=(src/*.cpp src/*.h include/elastoon/*.h CMakeLists.txt CMakePresets.json cmake/*.cmake)
+  rules=(apps/game/{balls,blocks,bot,game,level,paddle,play,response,view}.cpp apps/game/*.h)
+  files=(src/*.cpp src/*.h include/elastoon/*.h "${rules[@]}" CMakeLists.txt CMakePresets.json cmake/*.cmake)
 fi
 failed=0
 for file in "${files[@]}"; do look "$file" >&2 || failed=1; done

@@ -40,4 +40,4 @@ done
 "$program" render scenes/contacts/rest.json --sheet 6x5 --fps 24 --frames 8:38 -o "$images/rest.png" --size 1280x560 --samples 64
 "$program" render scenes/stairs.json --strobe -o "$images/stairs.png" --size 960x540
 "$program" render scenes/pachinko.json --strobe -o "$images/pachinko.png" --size 960x540 --samples 16
-shrink "$images"/{style-*,figure-[567]-*,corner,press,skip,slide,rest,stairs,pachinko}.png
+shrink "$images"/{style-*,figure-[5678]-*,corner,press,skip,slide,rest,stairs,pachinko}.png

@@ -120,6 +120,10 @@ ElastoonResult elastoonBodySetVelocity(ElastoonBody body, ElastoonVec3 velocity)
     return change(body, [&](World& world, BodyId id) { return world.setVelocity(id, from(velocity)); });
 }
 
+ElastoonResult elastoonBodySteerImpact(ElastoonBody body, ElastoonVec3 velocity) {
+    return change(body, [&](World& world, BodyId id) { return world.steerImpact(id, from(velocity)); });
+}
+
 ElastoonResult elastoonBodySetStyle(ElastoonBody body, const ElastoonStyle* style) {
     if (style == nullptr) {
         return nullPointer("style");

@@ -19,14 +19,46 @@ constexpr double kFlatness = 1e-9;
 /// The same against a solid, where a touch leaves a hair of air.
 constexpr double kSolidFlatness = 1e-7;
 
+/// The vertices that are no lower than `least` along `direction`, from the highest on: on a convex shape they hang
+/// together. Empty where there are many, or where the shape is too odd for that.
+std::vector<std::uint32_t> highestTogether(const Shape& shape, const Vec3& direction, std::uint32_t highest,
+                                           double least) {
+    constexpr std::size_t kMany = 32;
+    const Topology& topology = shape.topology();
+    if (!topology.closed || !topology.climbable) {
+        return {};
+    }
+    std::vector<std::uint32_t> found{highest};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        for (const std::uint32_t next : topology.neighborsOf(found[i])) {
+            if (glm::dot(direction, shape.vertices()[next]) >= least &&
+                std::find(found.begin(), found.end(), next) == found.end()) {
+                found.push_back(next);
+            }
+        }
+        if (found.size() > kMany) {
+            return {};
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
 /// Vertices of the posed shape that lie furthest in `direction` (world, unit), within `slack` m.
 std::vector<Vec3> supportRegion(const Shape& shape, const Pose& pose, const Vec3& direction, double slack) {
     const Vec3 in_shape = scaleOf(pose.stretch) * (glm::conjugate(pose.orientation) * direction);
     const auto vertices = shape.vertices();
-    const double furthest = glm::dot(in_shape, vertices[shape.supportVertex(in_shape)]);
+    const std::size_t highest = shape.supportVertex(in_shape);
+    const double least = glm::dot(in_shape, vertices[highest]) - slack;
     std::vector<Vec3> region;
+    for (const std::uint32_t i : highestTogether(shape, in_shape, static_cast<std::uint32_t>(highest), least)) {
+        region.push_back(worldFromShape(pose, vertices[i]));
+    }
+    if (!region.empty()) {
+        return region;
+    }
     for (const Vec3& vertex : vertices) {
-        if (glm::dot(in_shape, vertex) >= furthest - slack) {
+        if (glm::dot(in_shape, vertex) >= least) {
             region.push_back(worldFromShape(pose, vertex));
         }
     }

@@ -177,11 +177,16 @@ double brushing(const Impact& impact, const Meeting& meeting, const Style& style
 /// angle does in the limit: docs/contacts.md.
 void planImpact(Impact& impact, const Touching& touching, const Meeting& meeting, const Shape& shape,
                 const Style& style) {
+    const bool turning = impact.surface.frame.angular_velocity != Vec3(0.0);
     const auto plan = [&](double sticks, const Vec3& away) {
         // Whether it turns decides whether it takes time, and on a turning surface the time decides how far it turns.
         for (int pass = 0; pass < 2; ++pass) {
             ImpactInput input = curveInput(impact, touching, meeting, style, shape.length());
-            impact.curve = impactCurve(style, input);
+            const ImpactCurve curve = impactCurve(style, input);
+            if (pass > 0 && sticks >= 1.0 && !turning && curve == impact.curve) {
+                break;
+            }
+            impact.curve = curve;
             if (sticks < 1.0) {
                 input.speed_in = std::max(0.0, -meeting.normal_speed);
                 input.speed_out = glm::dot(impact.velocity_out, impact.surface.normal);
@@ -317,6 +322,31 @@ Impact blendImpact(const Impact& impact, double t, std::span<const AlsoTouched> 
                             stretchAtSpeed(style, glm::length(velocityAfter(blended, t))));
     planTurn(blended, t, gravity, size > 0.0 ? thrown / size : impact.surface.normal, style);
     return blended;
+}
+
+Impact steeredImpact(const Impact& impact, double t, const Vec3& velocity, const Shape& shape, const Style& style,
+                     const Vec3& gravity) {
+    Impact steered = impact;
+    const double elapsed = t - impact.begun;
+    const bool squashes = elapsed < impact.curve.t_in;
+    steered.comes_to_rest = false;
+    const auto aim = [&] {
+        const double end = impact.begun + steered.curve.duration();
+        steered.velocity_out = Vec3(0.0);
+        const Vec3 carried = velocityAfter(steered, end);
+        steered.velocity_out = glm::conjugate(impact.surface.frame.orientationAt(end)) * (velocity - carried);
+    };
+    aim();
+    if (squashes) {
+        steered.curve = withEnd(impact.curve, style, shape.length(), glm::length(steered.velocity_out),
+                                stretchAtSpeed(style, glm::length(velocity)));
+        aim();
+        const double share =
+            (turnShare(impact.curve, impact.easing, elapsed) - impact.turn_from) / (1.0 - impact.turn_from);
+        steered.orientation = rotationAbout(impact.turn_axis, impact.turn_angle * share) * impact.orientation;
+        planTurn(steered, t, gravity, impact.skims == Vec3(0.0) ? impact.surface.normal : Vec3(0.0), style);
+    }
+    return steered;
 }
 
 Pose impactPose(const Impact& impact, const Shape& shape, double t, double factor) {

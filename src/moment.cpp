@@ -315,9 +315,12 @@ std::vector<KeptClear> Moment::pressingOn(const Surface& surface) const {
 
 /// The first of those that wait, still touched and still approached, is met. Paper, section 3.6.
 bool Moment::meetNextWaiting(const Impact& impact) {
+    const Phase& phase = body_.phase;
+    if (phase.clear_of.empty()) {
+        return false;
+    }
     const Pose pose = this->pose();
     const Vec3 velocity = velocityAfter(impact, t_);
-    const Phase phase = body_.phase;
     for (std::size_t i = 0; i < phase.clear_of.size(); ++i) {
         const KeptClear& next = phase.clear_of[i];
         const ObstacleSlot* obstacle = slotOf(around_, next.obstacle);
@@ -368,18 +371,33 @@ void Moment::restOn(const Impact& impact, const std::vector<KeptClear>& pressing
     begin(std::move(next));
 }
 
+void Moment::steer(const Vec3& velocity) {
+    Phase phase = body_.phase;
+    auto& impact = phase.get<Impact>();
+    const bool ends_itself = phase.end == impact.begun + impact.curve.duration();
+    impact = steeredImpact(impact, t_, velocity, *body_.shape, body_.style, around_.gravity);
+    phase.start = t_;
+    // Where something else ends it, that is looked for again, from now on.
+    const double whole = impact.begun + impact.curve.duration();
+    phase.end = ends_itself ? whole : std::min(phase.end, whole);
+    if (!phase.clear_of.empty()) {
+        phase.end = std::max(t_, std::min(phase.end, blockedAt(phase, *body_.shape)));
+    }
+    begin(std::move(phase));
+}
+
 void Moment::endImpact() {
-    const Phase phase = body_.phase;
+    const Phase& phase = body_.phase;
     const auto& impact = phase.get<Impact>();
     const std::vector<KeptClear> pressing = pressingOn(impact.surface);
     // One that found no room to go on has not come to its resting form.
-    const bool whole =
-        t_ >= impact.begun + impact.curve.duration() && std::fabs(pose().stretch - impact.curve.s_out) < kSameForm;
-    if (impact.comes_to_rest && whole && !canHold(impact.surface, t_, around_.gravity, body_.style)) {
+    const bool whole = impact.comes_to_rest && t_ >= impact.begun + impact.curve.duration() &&
+                       std::fabs(pose().stretch - impact.curve.s_out) < kSameForm;
+    if (whole && !canHold(impact.surface, t_, around_.gravity, body_.style)) {
         restOn(impact, phase.clear_of);
         return;
     }
-    if ((impact.comes_to_rest && whole) || !pressing.empty()) {
+    if (whole || !pressing.empty()) {
         restOn(impact, pressing);
         return;
     }
@@ -395,7 +413,10 @@ void Moment::hitAtRest(const Met& met) {
     const Surface support = rest.surface;
     const ObstacleId held_by = body_.phase.obstacle;
     const bool presses = opposes(support.normalAt(t_), met.surface.normalAt(t_));
-    if (!presses) {
+    const auto& others = body_.phase.clear_of;
+    // Under a press there is nowhere to be thrown to.
+    const bool pressed = std::any_of(others.begin(), others.end(), [](const KeptClear& kept) { return kept.presses; });
+    if (!presses && !pressed) {
         const Surface plane = support.solid ? separatingPlane(support, *body_.shape, pose(), t_) : support;
         Surface surface = met.surface;
         surface.solid = around_.obstacles[met.obstacle].shape;

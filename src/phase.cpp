@@ -12,11 +12,7 @@
 
 namespace elastoon {
 
-bool MovingFrame::moves() const {
-    return velocity != Vec3(0.0) || angular_velocity != Vec3(0.0);
-}
-
-Quat MovingFrame::orientationAt(double t) const {
+Quat MovingFrame::turnedAt(double t) const {
     const double rate = glm::length(angular_velocity);
     if (rate == 0.0) {
         return orientation;
@@ -26,14 +22,6 @@ Quat MovingFrame::orientationAt(double t) const {
 
 Vec3 MovingFrame::velocityAt(double t, const Vec3& point) const {
     return velocity + glm::cross(angular_velocity, point - originAt(t));
-}
-
-Vec3 MovingFrame::worldFromFrame(double t, const Vec3& point) const {
-    return originAt(t) + orientationAt(t) * point;
-}
-
-Vec3 MovingFrame::frameFromWorld(double t, const Vec3& point) const {
-    return glm::conjugate(orientationAt(t)) * (point - originAt(t));
 }
 
 std::string_view nameOf(const Phase& phase) {

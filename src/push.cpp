@@ -400,7 +400,7 @@ Pose keptClear(const Phase& phase, const Shape& shape, double t) {
 }
 
 double blockedAt(const Phase& phase, const Shape& shape, double from, double to) {
-    constexpr int kLooks = 48;
+    constexpr int kLooks = 16;
     constexpr int kMostNarrowings = 8;
     double end = to;
     // Where it is first found blocked it may have been blocked before: it is looked at again, more closely.

@@ -91,6 +91,11 @@ void fields(Stream& stream, Of<input::MoveObstacle> auto& in) {
     stream(in.id, in.position, in.rotation, in.duration);
 }
 
+template <class Stream>
+void fields(Stream& stream, Of<input::SteerImpact> auto& in) {
+    stream(in.id, in.velocity);
+}
+
 /// The world takes the rest at its own door when the input is applied; a definition must not even hold what no enum
 /// names.
 std::optional<Error> checkInput(const Input& what) {
@@ -138,11 +143,12 @@ struct Apply {
     Status operator()(const input::MoveObstacle& in) const {
         return world.moveObstacle(in.id, in.position, in.rotation, in.duration);
     }
+    Status operator()(const input::SteerImpact& in) const { return world.steerImpact(in.id, in.velocity); }
 };
 
 constexpr std::array<const char*, std::variant_size_v<Input>> kNames{
-    "addBody",  "removeBody", "addObstacle",       "removeObstacle",  "setPosition", "setVelocity",
-    "setStyle", "setGravity", "setObstacleMotion", "setObstaclePose", "moveObstacle"};
+    "addBody",  "removeBody", "addObstacle",       "removeObstacle",  "setPosition",  "setVelocity",
+    "setStyle", "setGravity", "setObstacleMotion", "setObstaclePose", "moveObstacle", "steerImpact"};
 
 } // namespace
 
@@ -328,6 +334,10 @@ Status Recorder::setPosition(BodyId id, const Vec3& position) {
 
 Status Recorder::setVelocity(BodyId id, const Vec3& velocity) {
     return keep(world_->setVelocity(id, velocity), input::SetVelocity{id, velocity});
+}
+
+Status Recorder::steerImpact(BodyId id, const Vec3& velocity) {
+    return keep(world_->steerImpact(id, velocity), input::SteerImpact{id, velocity});
 }
 
 Status Recorder::setStyle(BodyId id, const Style& style) {

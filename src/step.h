@@ -145,6 +145,8 @@ public:
     void endSlide();
     /// While it slides, it has touched another obstacle.
     void touchInSlide(const Met& met);
+    /// The impact that it is in ends with this velocity (world).
+    void steer(const Vec3& velocity);
     /// The impact is over: the next one that waits begins, or the body flies off, or rests.
     void endImpact();
     /// An obstacle has come upon it at rest: it is pressed against what it rests on, or meets it.

@@ -2,8 +2,8 @@
 #include "swept_box.h"
 
 #include "flight.h"
+#include "held_bounds.h"
 #include "push.h"
-#include "watch.h"
 
 #include <algorithm>
 #include <cmath>

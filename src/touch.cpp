@@ -1,5 +1,5 @@
-// Based on: conservative advancement (Mirtich 1996) over the closed-form flight; the finish is the Illinois variant of
-// regula falsi. The bounds on turning and lengthening are those of flightBounds(). docs/impact-time.md.
+// Based on: conservative advancement (Mirtich 1996) over the closed-form flight; the finish is the root finder of
+// Chandrupatla (1997). The bounds on turning and lengthening are those of flightBounds(). docs/impact-time.md.
 #include "touch.h"
 
 #include "closest.h"
@@ -67,6 +67,8 @@ struct Approach {
         }
         return gain * rate;
     }
+    /// Whether the widest bounding ball of the whole flight shows, quickly, that nothing touches within [from, to].
+    [[nodiscard]] bool staysFar(double from, double to) const;
     /// Until when the bounding ball's way shows that nothing touches, within [from, to]; at least `from`.
     [[nodiscard]] double farUntil(double from, double to) const;
 };
@@ -82,6 +84,29 @@ double timeToZero(double height, double speed, double pull) {
         return root - speed > 0.0 ? 2.0 * height / (root - speed) : std::numeric_limits<double>::infinity();
     }
     return pull < 0.0 ? (speed + root) / -pull : std::numeric_limits<double>::infinity();
+}
+
+bool Approach::staysFar(double from, double to) const {
+    const bool pushed = !phase.clear_of.empty() && from < phase.free_from;
+    if (pushed || surface.frame.angular_velocity != Vec3(0.0)) {
+        return false;
+    }
+    const double longest = std::max(flight.max_stretch, flight.ease.stretch);
+    const double flattest = std::min(1.0, flight.ease.stretch);
+    const double reach = shape.boundingRadius() * std::max(longest, 1.0 / std::sqrt(flattest));
+    const double elapsed = from - phase.start;
+    const double span = to - from;
+    const Vec3 normal = surface.frame.orientation * surface.normal;
+    const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
+    const double height = glm::dot(position - surface.pointAt(from), normal);
+    const double speed = glm::dot(flightVelocity(flight, elapsed) - surface.frame.velocity, normal);
+    const double pull = glm::dot(flight.gravity, normal);
+    double least = std::min(height, height + (speed + 0.5 * pull * span) * span);
+    if (pull > 0.0 && speed < 0.0 && -speed < pull * span) {
+        least = height - 0.5 * speed * speed / pull;
+    }
+    constexpr double kMore = 1.0 + 1e-9;
+    return least > kMore * reach;
 }
 
 double Approach::farUntil(double from, double to) const {
@@ -107,36 +132,51 @@ double Approach::farUntil(double from, double to) const {
     return std::min(to, from + kShare * timeToZero(height, partingSpeed(from), glm::dot(flight.gravity, normal)));
 }
 
-/// gap(inside) > 0 > gap(beyond): the last time before the crossing, to rounding; never beyond it. A bisection follows
-/// whenever regula falsi has kept the same end twice, so the bracket shrinks whatever the gap's shape is.
+/// A time and how far the gap is there from what is looked for.
+struct Sample {
+    double t, off;
+};
+
+/// Where to look between the newest sample and the one on the other side, as a share of the way: inverse quadratic
+/// interpolation with the one before where that is safe, else the middle (Chandrupatla 1997).
+double shareToLookAt(const Sample& newest, const Sample& other, const Sample& before) {
+    const double xi = (newest.t - other.t) / (before.t - other.t);
+    const double phi = (newest.off - other.off) / (before.off - other.off);
+    if (phi * phi >= xi || (1.0 - phi) * (1.0 - phi) >= 1.0 - xi) {
+        return 0.5;
+    }
+    return newest.off / (other.off - newest.off) * before.off / (other.off - before.off) +
+           (before.t - newest.t) / (other.t - newest.t) * newest.off / (before.off - newest.off) * other.off /
+               (before.off - other.off);
+}
+
+/// gap(inside) > 0 > gap(beyond): the last time before the crossing, to rounding; never beyond it. What is looked for
+/// is a gap of half of what is near enough, so that the last step need not be lucky to stay inside.
 double finish(const Approach& approach, double inside, double gap_inside, double beyond, double gap_beyond) {
     const double enough = kExact * approach.shape.length();
-    int kept_beyond = 0;
-    int kept_inside = 0;
+    const double aim = 0.5 * enough;
+    Sample newest{inside, gap_inside - aim};
+    Sample other{beyond, gap_beyond - aim};
+    double share = gap_inside / (gap_inside - gap_beyond);
+    double gap = gap_inside;
     while (gap_inside > enough) {
-        const bool bisect = kept_beyond >= 2 || kept_inside >= 2;
-        const double share = bisect ? 0.5 : gap_inside / (gap_inside - gap_beyond);
-        const double middle = inside + (beyond - inside) * share;
-        if (middle <= inside || middle >= beyond) {
-            const double half = inside + 0.5 * (beyond - inside);
-            if (half <= inside || half >= beyond) {
+        double t = newest.t + share * (other.t - newest.t);
+        if (!(t > std::min(newest.t, other.t) && t < std::max(newest.t, other.t))) {
+            t = newest.t + 0.5 * (other.t - newest.t);
+            if (t == newest.t || t == other.t) {
                 break;
             }
-            kept_beyond = kept_inside = 2;
-            continue;
         }
-        const double gap = approach.gap(middle);
+        gap = approach.gap(t);
         if (gap >= 0.0) {
-            inside = middle;
+            inside = t;
             gap_inside = gap;
-            kept_beyond = bisect ? 0 : kept_beyond + 1;
-            kept_inside = 0;
-        } else {
-            beyond = middle;
-            gap_beyond = gap;
-            kept_inside = bisect ? 0 : kept_inside + 1;
-            kept_beyond = 0;
         }
+        const bool same_side = (gap - aim > 0.0) == (newest.off > 0.0);
+        const Sample before = same_side ? newest : other;
+        other = same_side ? other : newest;
+        newest = {t, gap - aim};
+        share = shareToLookAt(newest, other, before);
     }
     return inside;
 }
@@ -221,6 +261,9 @@ std::optional<double> advance(const Approach& approach, double from, double to, 
 std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface, double from,
                                  double to, double give_up) {
     const Approach approach{flight, flight.get<Flight>(), shape, surface};
+    if (approach.staysFar(from, to)) {
+        return std::nullopt;
+    }
     // While it is pushed it has no simple way; that lasts a short time only.
     if (!flight.clear_of.empty() && flight.free_from > from && flight.free_from < to) {
         if (const auto touch = advance(approach, from, flight.free_from, give_up)) {

@@ -1,14 +1,15 @@
-// Based on: conservative advancement (Mirtich 1996); the speed bounds are those of the impact's closed form. See
-// watch.h.
+// Based on: conservative advancement (Mirtich 1996), from both ends of an interval that is halved until it is clear.
+// See watch.h.
 #include "watch.h"
 
 #include "closest.h"
 #include "contact.h"
-#include "push.h"
-#include "slide.h"
+#include "held_bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -16,101 +17,12 @@ namespace elastoon {
 
 namespace {
 
-/// After so many looks, not all of them as far apart as is safe, but this share of the time at least.
-constexpr int kMostLooks = 20000;
+/// After so many looks, intervals below this share of the time are halved no more.
+constexpr int kMostLooks = 4000;
 constexpr double kLeastStep = 1.0 / 4096.0;
-
-/// Of one half of an impact: how fast it turns (rad/s) and stretches (1/s) at most.
-struct HalfRates {
-    double turn, stretch;
-};
-
-HalfRates ratesOf(const Impact& impact, double length, double span, double omega) {
-    if (length <= 0.0) {
-        return {0.0, 0.0};
-    }
-    // The easing's slope is at most 2 in a half that does half of the turn, and 1.5 in one that does all of it.
-    const bool alone = impact.curve.t_in <= 0.0 || impact.curve.t_out <= 0.0;
-    return {impact.turn_angle * (alone ? 1.5 : 1.0) / length, std::fabs(span) * omega};
-}
-
-HeldBounds impactBounds(const Impact& impact, const Shape& shape, double from, double to) {
-    const ImpactCurve& curve = impact.curve;
-    const double middle = impact.begun + curve.t_in;
-    HalfRates most{0.0, 0.0};
-    const auto include = [&](const HalfRates& rates) {
-        most = {std::max(most.turn, rates.turn), std::max(most.stretch, rates.stretch)};
-    };
-    if (from < middle) {
-        include(ratesOf(impact, curve.t_in, curve.s_in - curve.s_mid, curve.omega_in));
-    }
-    if (to >= middle) {
-        include(ratesOf(impact, curve.t_out, curve.s_out - curve.s_mid, curve.omega_out));
-    }
-    const double longest = std::max({curve.s_in, curve.s_mid, curve.s_out});
-    const double flattest = std::min({curve.s_in, curve.s_mid, curve.s_out});
-    const double along = longest * shape.reachAlong();
-    const double across = shape.reachAcross() / std::sqrt(flattest);
-    HeldBounds bounds;
-    bounds.reach = std::sqrt(along * along + across * across);
-    const double widening = 0.5 * across / flattest;
-    const double stretching = most.stretch * std::sqrt(shape.reachAlong() * shape.reachAlong() + widening * widening);
-    // Twice: about the contact, not the centroid. As much again for the way along the normal; on a solid it may be
-    // steep.
-    const double own = 2.0 * (most.turn * bounds.reach + stretching) * (impact.surface.solid ? 4.0 : 2.0);
-    const MovingFrame& frame = impact.surface.frame;
-    const double arm = glm::length(impact.surface.point) + 3.0 * bounds.reach;
-    bounds.speed =
-        own + glm::length(impact.skims) + glm::length(frame.velocity) + glm::length(frame.angular_velocity) * arm;
-    return bounds;
-}
-
-HeldBounds restBounds(const Rest& rest, const Shape& shape) {
-    HeldBounds bounds;
-    const double along = rest.pose.stretch * shape.reachAlong();
-    const double across = shape.reachAcross() / std::sqrt(rest.pose.stretch);
-    bounds.reach = std::sqrt(along * along + across * across);
-    const MovingFrame& frame = rest.surface.frame;
-    bounds.speed = glm::length(frame.velocity) +
-                   glm::length(frame.angular_velocity) * (glm::length(rest.pose.position) + bounds.reach);
-    return bounds;
-}
-
-HeldBounds slideBounds(const Slide& slide, const Shape& shape, double from, double to) {
-    const double pull = glm::length(slide.acceleration);
-    const double first = glm::length(slideVelocity(slide, from));
-    const double last = glm::length(slideVelocity(slide, to));
-    // The way turns little, so the least speed is near an end; it may stop only where it does not turn.
-    const double speed = std::max(first, last);
-    const Vec3 across = slide.acceleration - slide.direction * glm::dot(slide.acceleration, slide.direction);
-    const double turning =
-        glm::length(across) > 1e-9 * pull ? glm::length(across) / (0.9 * std::min(first, last)) : 0.0;
-    const bool eases = from - slide.begun < slide.ease.span;
-    const double longest = std::max(slideStretch(slide, speed), eases ? slide.ease.stretch : 1.0);
-    const double flattest = eases ? std::min(1.0, slide.ease.stretch) : 1.0;
-    const double along = longest * shape.reachAlong();
-    const double wide = shape.reachAcross() / std::sqrt(flattest);
-    const double easing = eases ? 1.5 / slide.ease.span : 0.0;
-    const double stretching = slide.stretch_rate * (slide.max_stretch - 1.0) * pull + easing * (longest - flattest);
-    HeldBounds bounds;
-    bounds.reach = std::sqrt(along * along + wide * wide);
-    const double widening = 0.5 * wide / flattest;
-    const double form = stretching * std::sqrt(shape.reachAlong() * shape.reachAlong() + widening * widening) +
-                        (turning + easing * slide.ease.angle) * bounds.reach;
-    const double lifting = slide.surface.solid ? 4.0 : 1.0;
-    bounds.speed = (speed + 2.0 * form) * lifting + glm::length(slide.surface.frame.velocity);
-    return bounds;
-}
-
-HeldBounds ownBounds(const Phase& phase, const Shape& shape, double from, double to) {
-    if (const auto* impact = phase.as<Impact>()) {
-        return impactBounds(*impact, shape, from, to);
-    }
-    if (const auto* slide = phase.as<Slide>()) {
-        return slideBounds(*slide, shape, from, to);
-    }
-    return restBounds(phase.get<Rest>(), shape);
-}
+/// On a solid, and where the body is moved clear of others, how it is moved is seen from its poses, not bounded: each
+/// half of an impact is looked at in so many parts at least.
+constexpr int kLeastParts = 2;
 
 /// The solid's supporting plane across `normal` (world).
 Surface planeAcross(const Watched& watched, const Vec3& normal, double t) {
@@ -122,35 +34,6 @@ Surface planeAcross(const Watched& watched, const Vec3& normal, double t) {
 }
 
 } // namespace
-
-HeldBounds heldBounds(const Phase& phase, const Shape& shape, double from, double to) {
-    HeldBounds bounds = ownBounds(phase, shape, from, to);
-    if (!phase.clear_of.empty()) {
-        double fastest = bounds.speed;
-        for (const KeptClear& kept : phase.clear_of) {
-            const MovingFrame& frame = kept.surface.frame;
-            fastest = std::max(fastest, bounds.speed + glm::length(frame.velocity) +
-                                            glm::length(frame.angular_velocity) *
-                                                (glm::length(kept.surface.point) + 3.0 * bounds.reach));
-        }
-        bounds.speed += pushGain(phase, from) * fastest;
-    }
-    return bounds;
-}
-
-double ballAboutContact(const Phase& phase, double reach, double to) {
-    const auto* impact = phase.as<Impact>();
-    const auto presses = [](const KeptClear& kept) { return kept.presses; };
-    if (impact == nullptr || impact->surface.frame.moves() ||
-        std::any_of(phase.clear_of.begin(), phase.clear_of.end(), presses)) {
-        return std::numeric_limits<double>::infinity();
-    }
-    // The centroid is within one reach of the contact along the surface and across it, so within 1.42; and one on. Over
-    // a solid's edge it may be two lower. A push moves it by two (push.cpp, kMostPush), and up from what it meets
-    // there.
-    const double pushed = phase.clear_of.empty() ? 0.0 : 6.0;
-    return ((impact->surface.solid ? 4.5 : 2.5) + pushed) * reach + glm::length(impact->skims) * (to - impact->begun);
-}
 
 Distance distanceTo(const Watched& watched, const Shape& shape, const Pose& pose, double t, ClosestSeed& seed) {
     if (!watched.solid) {
@@ -172,10 +55,6 @@ Distance distanceTo(const Watched& watched, const Shape& shape, const Pose& pose
 }
 
 namespace {
-
-/// On a solid the way along the normal may be steeper than the bounds allow for: an impact is looked at this often at
-/// least, and a touch that was passed is looked for backwards.
-constexpr double kLeastLooks = 64.0;
 
 /// The first time, to rounding, in (apart, touching] at which the obstacle is within `gap`; at `apart` it is not.
 Touch stepBack(const Phase& phase, const Shape& shape, const Watched& watched, double apart, double touching,
@@ -223,176 +102,270 @@ bool staysAway(const Phase& phase, const Watched& watched, double reach, double 
            (surface.solid && isBeyondSolid(watched, surface, 2.0 * reach + gap, from));
 }
 
-/// How far the points of an impact's body go, in the surface's frame, before any push: from the turn and the change of
-/// form themselves, which their rates' bounds exceed.
-class ImpactWay {
-public:
-    ImpactWay(const Impact& impact, const Shape& shape, double reach) : impact_(impact), shape_(shape), reach_(reach) {}
-
-    /// Times are counted from here, within one half of the impact.
-    void startAt(double t) {
-        share_ = shareAt(t);
-        stretch_ = impact_.curve.at(t - impact_.begun);
-    }
-    /// Greatest way of a point from the start to time t, and of that the most that moving along the normal has in it.
-    [[nodiscard]] double to(double t, double along_normal) const {
-        const double turn = impact_.turn_angle * std::fabs(shareAt(t) - share_) / (1.0 - impact_.turn_from);
-        const double stretch = impact_.curve.at(t - impact_.begun);
-        const double along = (stretch - stretch_) * shape_.reachAlong();
-        const double across = (1.0 / std::sqrt(stretch) - 1.0 / std::sqrt(stretch_)) * shape_.reachAcross();
-        // Twice: about the contact, not the centroid. As much again for the way along the normal; on a solid it may be
-        // steep.
-        const double about_contact = 2.0 * (turn * reach_ + std::sqrt(along * along + across * across));
-        return about_contact * (1.0 + along_normal * (impact_.surface.solid ? 3.0 : 1.0));
-    }
-
-private:
-    [[nodiscard]] double shareAt(double t) const { return turnShare(impact_.curve, impact_.easing, t - impact_.begun); }
-
-    const Impact& impact_;
-    const Shape& shape_;
-    double reach_;
-    double share_ = 0.0;
-    double stretch_ = 1.0;
+/// A moment that has been looked at, and where in `gaps_` it is kept how far each of those that are watched was.
+struct Look {
+    double t = 0.0;
+    Pose pose;
+    double share = 0.0; ///< of an impact's turn
+    std::size_t gaps = 0;
 };
 
-/// One of those that are watched.
-struct Watch {
-    const Watched* watched;
-    double clear_until; ///< it is not met before
-    double apart; ///< last time at which it was seen apart
-    ClosestSeed seed;
-};
-
-/// Watches all at once: what costs is the pose, so it is looked at together where that can be.
+/// Watches all at once: what costs is the pose, so it is looked at together. Each is looked at when its own distance
+/// asks for it, whoever else is watched.
 class Lookout {
 public:
-    Lookout(const Phase& phase, const Shape& shape, double from, double to, double gap)
-        : phase_(phase),
-          shape_(shape),
-          from_(from),
-          to_(to),
-          gap_(gap),
-          pose_(poseAt(phase, shape, from)),
-          posed_at_(from) {
-        const auto* impact = phase.as<Impact>();
-        grid_ = impact != nullptr ? impact->curve.duration() / kLeastLooks : (to - from) / kLeastLooks;
-        steep_ = impact != nullptr && impact->surface.solid;
-        // A half that takes hardly any time is fast: its bounds are its own.
-        const double middle = impact != nullptr ? impact->begun + impact->curve.t_in : from;
-        turns_at_ = middle > from && middle < to ? middle : to;
-        bounds_ = heldBounds(phase, shape, from, std::nextafter(turns_at_, from));
-        later_bounds_ = turns_at_ < to ? heldBounds(phase, shape, turns_at_, to) : bounds_;
-        reach_ = std::max(bounds_.reach, later_bounds_.reach);
-    }
-
-    void watch(const Watched& watched) {
-        // Before it began to move as it does, it was met or missed otherwise.
-        const double begin = std::max(from_, watched.frame.start);
-        if (begin <= to_ && !staysAway(phase_, watched, reach_, from_, to_, gap_)) {
-            watches_.push_back({&watched, begin, begin, {}});
-        }
-    }
+    Lookout(const Phase& phase, const Shape& shape, double from, double to, double gap);
+    void watch(const Watched& watched);
     std::optional<Near> run();
 
 private:
-    [[nodiscard]] const Pose& poseOf(double t) {
-        if (t != posed_at_) {
-            pose_ = poseAt(phase_, shape_, t);
-            posed_at_ = t;
-        }
-        return pose_;
+    struct Watch {
+        const Watched* watched;
+        double begin; ///< it is not met before
+        double along_normal; ///< cosine between its normal and the impact's surface's; 1 where there is none
+        ClosestSeed seed;
+    };
+    /// A part of `open_`: those that are not known to stay away.
+    struct Group {
+        std::size_t begin, end;
+    };
+
+    [[nodiscard]] Look lookAt(double t, Group group);
+    [[nodiscard]] double gapOf(Watch& watch, const Pose& pose, double t) const;
+    [[nodiscard]] double wayAboutContact(double turn, double stretch_a, double stretch_b) const;
+    [[nodiscard]] double ownWay(const Look& a, const Look& b, double along_normal) const;
+    [[nodiscard]] double wayToEnd(const Look& look, double along_normal) const;
+    [[nodiscard]] double closing(const Watch& watch, const Pose& pose, double gap, double span) const;
+    [[nodiscard]] bool isAwayForGood(const Watch& watch, const Look& look, double gap) const;
+    [[nodiscard]] bool isClear(const Watch& watch, const Look& a, double gap_a, const Look& b, double gap_b) const;
+    [[nodiscard]] std::optional<Near> between(const Look& a, const Look& b, Group group);
+    [[nodiscard]] std::optional<Near> beginningAt(double begin);
+    [[nodiscard]] std::optional<Near> nearAt(const Look& look, double apart, Group group);
+    [[nodiscard]] double shareAt(double t) const {
+        return impact_ != nullptr ? turnShare(impact_->curve, impact_->easing, t - impact_->begun) : 0.0;
     }
-    [[nodiscard]] Touch met(const Watch& watch, double apart, double t, const Distance& distance) const {
-        return distance.gap <= 0.0 && t > apart ? stepBack(phase_, shape_, *watch.watched, apart, t, gap_)
-                                                : Touch{t, distance.plane};
-    }
-    [[nodiscard]] double reachedBy(const Watched& watched, double t, double until, double allowed, double speed) const;
-    [[nodiscard]] double nextLook(const Watched& watched, const Pose& pose, double t, double distance) const;
 
     const Phase& phase_;
+    const Impact* impact_;
     const Shape& shape_;
     double from_, to_, gap_;
-    double turns_at_ = 0.0; ///< before it `bounds_` hold, from then on `later_bounds_`
+    double turns_at_; ///< before it `bounds_` hold, from then on `later_bounds_`
     HeldBounds bounds_, later_bounds_;
     double reach_ = 0.0;
-    double grid_ = 0.0;
+    bool steep_ = false; ///< how the body is moved along the normal, or clear of others, is not bounded
     int looks_ = 0;
-    bool steep_ = false; ///< the bounds may be passed
-    Pose pose_;
-    double posed_at_;
     std::vector<Watch> watches_;
+    std::vector<double> gaps_;
+    std::vector<std::uint32_t> open_;
 };
 
-/// Until when an impact's body that is not pushed goes no further than `allowed`, besides what goes at `speed`; a time
-/// up to `until`, in the half in which t is.
-double Lookout::reachedBy(const Watched& watched, double t, double until, double allowed, double speed) const {
-    const auto& impact = phase_.get<Impact>();
-    ImpactWay way(impact, shape_, reach_);
-    way.startAt(t);
-    const bool plane_stands = !watched.solid && watched.frame.angular_velocity == Vec3(0.0);
-    const double along_normal =
-        plane_stands ? std::fabs(glm::dot(watched.frame.orientation * watched.normal, impact.surface.normalAt(t)))
-                     : 1.0;
-    constexpr int kMostTries = 5;
-    double next = until;
-    for (int i = 0; i < kMostTries; ++i) {
-        const double need = way.to(next, along_normal) + speed * (next - t);
-        if (need <= allowed) {
-            return next;
-        }
-        next = t + (next - t) * 0.9 * allowed / need;
-    }
-    return t;
+Lookout::Lookout(const Phase& phase, const Shape& shape, double from, double to, double gap)
+    : phase_(phase), impact_(phase.as<Impact>()), shape_(shape), from_(from), to_(to), gap_(gap) {
+    steep_ = impact_ != nullptr && (impact_->surface.solid || !phase.clear_of.empty());
+    // A half that takes hardly any time is fast: its bounds are its own.
+    const double middle = impact_ != nullptr ? impact_->begun + impact_->curve.t_in : from;
+    turns_at_ = middle > from && middle < to ? middle : to;
+    bounds_ = heldBounds(phase, shape, from, std::nextafter(turns_at_, from));
+    later_bounds_ = turns_at_ < to ? heldBounds(phase, shape, turns_at_, to) : bounds_;
+    reach_ = std::max(bounds_.reach, later_bounds_.reach);
 }
 
-double Lookout::nextLook(const Watched& watched, const Pose& pose, double t, double distance) const {
-    const double until = t < turns_at_ ? turns_at_ : to_;
-    const HeldBounds& bounds = t < turns_at_ ? bounds_ : later_bounds_;
-    const double arm = glm::length(pose.position - watched.frame.originAt(t)) + bounds.reach +
-                       (watched.solid ? 0.0 : distance) + (until - t) * bounds.speed;
-    const double closing = glm::length(watched.frame.velocity) + glm::length(watched.frame.angular_velocity) * arm;
-    const double allowed = distance - 0.5 * gap_;
-    double next = t + allowed / (bounds.speed + closing);
-    const auto* impact = phase_.as<Impact>();
-    if (impact != nullptr && phase_.clear_of.empty() && !impact->surface.frame.moves()) {
-        next = std::max(next, reachedBy(watched, t, until, allowed, closing + glm::length(impact->skims)));
+void Lookout::watch(const Watched& watched) {
+    // Before it began to move as it does, it was met or missed otherwise.
+    const double begin = std::max(from_, watched.frame.start);
+    if (begin > to_ || staysAway(phase_, watched, reach_, from_, to_, gap_)) {
+        return;
     }
-    if (steep_ && distance < bounds.reach) {
-        next = std::min(next, t + grid_);
+    const bool plane_stands = impact_ != nullptr && !watched.solid && !watched.frame.moves();
+    const double along_normal =
+        plane_stands ? std::fabs(glm::dot(watched.frame.orientation * watched.normal, impact_->surface.normalAt(begin)))
+                     : 1.0;
+    watches_.push_back({&watched, begin, along_normal, {}});
+}
+
+double Lookout::gapOf(Watch& watch, const Pose& pose, double t) const {
+    const Watched& watched = *watch.watched;
+    if (!watched.solid) {
+        const Vec3 normal = watched.frame.orientationAt(t) * watched.normal;
+        return glm::dot(normal, pose.position - watched.frame.originAt(t)) - reachTowards(shape_, pose, -normal);
     }
-    if (looks_ > kMostLooks) {
-        next = std::max(next, t + (to_ - from_) * kLeastStep);
+    const Closest closest = closestPoints(
+        {&shape_, linearOf(pose), pose.position},
+        {watched.solid.get(), glm::mat3_cast(watched.frame.orientationAt(t)), watched.frame.originAt(t)}, watch.seed);
+    return closest.overlap ? 0.0 : closest.distance;
+}
+
+Look Lookout::lookAt(double t, Group group) {
+    Look look{t, poseAt(phase_, shape_, t), shareAt(t), gaps_.size()};
+    gaps_.resize(gaps_.size() + watches_.size());
+    for (std::size_t k = group.begin; k < group.end; ++k) {
+        gaps_[look.gaps + open_[k]] = gapOf(watches_[open_[k]], look.pose, t);
     }
-    if (next >= until) {
-        return until;
+    ++looks_;
+    return look;
+}
+
+/// How far the points of an impact's body go in the surface's frame by a turn and a change of form. Twice: about the
+/// contact, not the centroid.
+double Lookout::wayAboutContact(double turn, double stretch_a, double stretch_b) const {
+    const double along = (stretch_b - stretch_a) * shape_.reachAlong();
+    const double across = (1.0 / std::sqrt(stretch_b) - 1.0 / std::sqrt(stretch_a)) * shape_.reachAcross();
+    return 2.0 * (turn * reach_ + std::sqrt(along * along + across * across));
+}
+
+/// Greatest way that a point of the body makes between two looks, within one half of an impact.
+double Lookout::ownWay(const Look& a, const Look& b, double along_normal) const {
+    const double span = b.t - a.t;
+    if (impact_ == nullptr) {
+        return bounds_.speed * span;
     }
-    // Onto the common grid, where it does not come to a stop.
-    const double on_grid = from_ + grid_ * std::floor((next - from_) / grid_);
-    return on_grid > t ? on_grid : std::max(next, std::nextafter(t, until));
+    const MovingFrame& frame = impact_->surface.frame;
+    const double arm = glm::length(impact_->surface.point) + 3.0 * reach_;
+    const double carried = glm::length(frame.velocity) + glm::length(frame.angular_velocity) * arm;
+    const double turn = impact_->turn_angle * std::fabs(b.share - a.share) / (1.0 - impact_->turn_from);
+    const double about = wayAboutContact(turn, a.pose.stretch, b.pose.stretch);
+    // As much again for the way along the normal.
+    const double moved = steep_ ? 2.0 * glm::length(b.pose.position - a.pose.position) : about * along_normal;
+    return about + moved + (glm::length(impact_->skims) + carried) * span;
+}
+
+/// Likewise from a look to the end, bounded without another look.
+double Lookout::wayToEnd(const Look& look, double along_normal) const {
+    if (impact_ == nullptr || steep_ || impact_->surface.frame.moves()) {
+        const double first = std::max(0.0, turns_at_ - look.t);
+        return bounds_.speed * first + later_bounds_.speed * (to_ - look.t - first);
+    }
+    const auto stretchAt = [&](double t) { return impact_->curve.at(t - impact_->begun); };
+    const double scale = impact_->turn_angle / (1.0 - impact_->turn_from);
+    double way = glm::length(impact_->skims) * (to_ - look.t);
+    double share = look.share;
+    double stretch = look.pose.stretch;
+    for (const double t : {turns_at_, to_}) {
+        if (t > look.t) {
+            const double next = stretchAt(t);
+            way += wayAboutContact(scale * std::fabs(shareAt(t) - share), stretch, next) * (1.0 + along_normal);
+            share = shareAt(t);
+            stretch = next;
+        }
+    }
+    return way;
+}
+
+/// How fast the obstacle comes at most, within `span` s, m/s.
+double Lookout::closing(const Watch& watch, const Pose& pose, double gap, double span) const {
+    const MovingFrame& frame = watch.watched->frame;
+    const double spin = glm::length(frame.angular_velocity);
+    const double arm = glm::length(pose.position - frame.origin) + glm::length(frame.velocity) * (to_ - frame.start) +
+                       reach_ + (watch.watched->solid ? 0.0 : gap) +
+                       span * std::max(bounds_.speed, later_bounds_.speed);
+    return glm::length(frame.velocity) + (spin > 0.0 ? spin * arm : 0.0);
+}
+
+bool Lookout::isAwayForGood(const Watch& watch, const Look& look, double gap) const {
+    const double span = to_ - look.t;
+    return (!steep_ || gap > reach_) &&
+           gap - wayToEnd(look, watch.along_normal) - closing(watch, look.pose, gap, span) * span > 0.5 * gap_;
+}
+
+/// From both ends: what comes nearer than half of the gap goes further in between than it can.
+bool Lookout::isClear(const Watch& watch, const Look& a, double gap_a, const Look& b, double gap_b) const {
+    const double span = b.t - a.t;
+    const double way = ownWay(a, b, watch.along_normal) + closing(watch, a.pose, std::max(gap_a, gap_b), span) * span;
+    return gap_a + gap_b - way > gap_;
+}
+
+/// At the very end only what is touched counts: what comes after meets the rest.
+std::optional<Near> Lookout::nearAt(const Look& look, double apart, Group group) {
+    const bool last = look.t >= to_ && look.t > from_;
+    for (std::size_t k = group.begin; k < group.end; ++k) {
+        const double gap = gaps_[look.gaps + open_[k]];
+        if (last ? gap > 0.0 : gap > gap_) {
+            continue;
+        }
+        const Watched& watched = *watches_[open_[k]].watched;
+        if (gap <= 0.0 && look.t > apart) {
+            return Near{stepBack(phase_, shape_, watched, apart, look.t, gap_), &watched};
+        }
+        ClosestSeed cold;
+        return Near{{look.t, distanceTo(watched, shape_, look.pose, look.t, cold).plane}, &watched};
+    }
+    return std::nullopt;
+}
+
+/// The first in (a, b]; at `a` all of the group are apart.
+std::optional<Near> Lookout::between(const Look& a, const Look& b, Group group) {
+    const std::size_t first = open_.size();
+    for (std::size_t k = group.begin; k < group.end; ++k) {
+        const std::uint32_t i = open_[k];
+        if (!isClear(watches_[i], a, gaps_[a.gaps + i], b, gaps_[b.gaps + i])) {
+            open_.push_back(i);
+        }
+    }
+    const Group open{first, open_.size()};
+    const double middle = a.t + 0.5 * (b.t - a.t);
+    const bool fine = looks_ > kMostLooks && b.t - a.t <= kLeastStep * (to_ - from_);
+    std::optional<Near> found;
+    if (open.begin < open.end && middle > a.t && middle < b.t && !fine) {
+        const Look look = lookAt(middle, open);
+        found = between(a, look, open);
+        if (!found) {
+            found = between(look, b, open);
+        }
+        gaps_.resize(look.gaps);
+    }
+    open_.resize(first);
+    return found ? found : nearAt(b, a.t, group);
+}
+
+/// The first of those that are met from `begin` on.
+std::optional<Near> Lookout::beginningAt(double begin) {
+    open_.clear();
+    gaps_.clear();
+    for (std::uint32_t i = 0; i < watches_.size(); ++i) {
+        if (watches_[i].begin == begin) {
+            open_.push_back(i);
+        }
+    }
+    Look look = lookAt(begin, {0, open_.size()});
+    if (auto found = nearAt(look, begin, {0, open_.size()}); found || begin >= to_) {
+        return found;
+    }
+    std::erase_if(open_, [&](std::uint32_t i) { return isAwayForGood(watches_[i], look, gaps_[look.gaps + i]); });
+    const Group group{0, open_.size()};
+    std::array<double, 2 * kLeastParts> ends{};
+    std::size_t count = 0;
+    const int parts = steep_ ? kLeastParts : 1;
+    for (const auto& [half_begin, half_end] :
+         {std::pair(begin, turns_at_), std::pair(std::max(begin, turns_at_), to_)}) {
+        for (int part = 1; half_begin < half_end && part <= parts; ++part) {
+            ends[count++] = part == parts ? half_end : half_begin + (half_end - half_begin) * part / parts;
+        }
+    }
+    for (std::size_t i = 0; i < count && group.begin < group.end; ++i) {
+        const Look next = lookAt(ends[i], group);
+        if (auto found = between(look, next, group)) {
+            return found;
+        }
+        look = next;
+    }
+    return std::nullopt;
 }
 
 std::optional<Near> Lookout::run() {
-    for (; !watches_.empty(); ++looks_) {
-        const auto next = std::min_element(watches_.begin(), watches_.end(), [](const Watch& a, const Watch& b) {
-            return a.clear_until < b.clear_until;
-        });
-        Watch& watch = *next;
-        const double t = std::min(watch.clear_until, to_);
-        const Pose& pose = poseOf(t);
-        const Distance distance = distanceTo(*watch.watched, shape_, pose, t, watch.seed);
-        const bool last = t >= to_ && t > from_;
-        if (last ? distance.gap <= 0.0 : distance.gap <= gap_) {
-            return Near{met(watch, watch.apart, t, distance), watch.watched};
-        }
-        if (t >= to_) {
-            watches_.erase(next);
+    std::optional<Near> first;
+    for (const Watch& watch : watches_) {
+        // Most begin at once; of those that begin together the first one looks for all.
+        const auto with = std::find_if(watches_.begin(), watches_.end(),
+                                       [&](const Watch& other) { return other.begin == watch.begin; });
+        if (&*with != &watch) {
             continue;
         }
-        watch.apart = t;
-        watch.clear_until = nextLook(*watch.watched, pose, t, distance.gap);
+        const auto found = beginningAt(watch.begin);
+        if (found && (!first || found->touch.time < first->touch.time)) {
+            first = found;
+        }
     }
-    return std::nullopt;
+    return first;
 }
 
 } // namespace

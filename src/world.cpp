@@ -66,6 +66,7 @@ Result<World> World::create(const WorldDef& def) {
     auto impl = std::make_unique<Impl>();
     impl->around.gravity = def.gravity;
     impl->parallel_for = def.parallel_for;
+    impl->clock = def.clock;
     return World(std::move(impl));
 }
 
@@ -254,6 +255,25 @@ Prediction World::predict(BodyId id, double horizon) const {
     return prediction;
 }
 
+namespace {
+
+/// Adds the time of its life to a figure of the profile, where there is a clock.
+class Stopwatch {
+public:
+    Stopwatch(const std::function<double()>& read, double& seconds)
+        : read_(read), seconds_(seconds), begun_(read ? read() : 0.0) {}
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+    ~Stopwatch() { seconds_ += read_ ? read_() - begun_ : 0.0; }
+
+private:
+    const std::function<double()>& read_;
+    double& seconds_;
+    double begun_;
+};
+
+} // namespace
+
 double World::Impl::nextPathChange(double to) const {
     double next = to;
     for (const std::size_t i : around.on_paths) {
@@ -264,6 +284,7 @@ double World::Impl::nextPathChange(double to) const {
 
 /// Obstacles that have come to a key of their path take the next leg.
 void World::Impl::followPaths() {
+    const Stopwatch watch(clock, profile.follow_paths);
     const std::vector<std::size_t> on_paths = around.on_paths;
     for (const std::size_t i : on_paths) {
         const ObstacleSlot& obstacle = around.obstacles[i];
@@ -289,11 +310,18 @@ void append(std::vector<T>& list, std::vector<T>& more) {
 
 } // namespace
 
+void World::Impl::prepareStep(double until) {
+    const Stopwatch watch(clock, profile.prepare);
+    around.prepareStep(time, until);
+}
+
 /// Bodies do not read each other, so any cut of the range gives the same motion.
 void World::Impl::advanceBodies(double to) {
+    const Stopwatch watch(clock, profile.advance);
     struct Part {
         std::size_t begin;
         Happenings out;
+        std::size_t advanced = 0;
     };
     if (quiet_version != around.version) {
         quiet_until.assign(bodies.size(), kNotQuiet);
@@ -303,9 +331,10 @@ void World::Impl::advanceBodies(double to) {
     std::vector<Part> parts;
     Mutex guard;
     const auto advanceRange = [&](std::size_t begin, std::size_t end) {
-        Part part{begin, {}};
+        Part part{begin, {}, 0};
         for (std::size_t i = begin; i < end; ++i) {
             if (to > quiet_until[i] && bodies[i].used) {
+                ++part.advanced;
                 quiet_until[i] = advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
             }
         }
@@ -319,6 +348,7 @@ void World::Impl::advanceBodies(double to) {
     }
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.begin < b.begin; });
     for (Part& part : parts) {
+        profile.advanced += part.advanced;
         for (const PhaseBegun& begun : part.out.phases) {
             if (matrices.inUse()) {
                 matrices.changed(begun.body.slot - 1);
@@ -335,6 +365,7 @@ void World::step(double dt) {
     if (!valid) {
         return;
     }
+    impl_->profile = {};
     impl_->takePending();
     impl_->advance(impl_->time + dt);
 }
@@ -343,7 +374,7 @@ void World::step(double dt) {
 void World::Impl::advance(double to) {
     do {
         const double until = nextPathChange(to);
-        around.prepareStep(time, until);
+        prepareStep(until);
         advanceBodies(until);
         time = until;
         followPaths();
@@ -351,6 +382,7 @@ void World::Impl::advance(double to) {
         append(phases, pending.phases);
         pending = {};
     } while (time < to);
+    const Stopwatch watch(clock, profile.sort_events);
     std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
         return a.time < b.time || (a.time == b.time && a.body.slot < b.body.slot);
     });
@@ -381,7 +413,12 @@ Pose World::pose(BodyId id) const {
     return poseAt(body.phase, *body.shape, impl_->time);
 }
 
+const StepProfile& World::profile() const {
+    return impl_->profile;
+}
+
 std::span<const float> World::matrices() {
+    const Stopwatch watch(impl_->clock, impl_->profile.matrices);
     return impl_->matrices.at(impl_->time, impl_->bodies, impl_->around.gravity, impl_->parallel_for);
 }
 

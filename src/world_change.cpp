@@ -80,6 +80,27 @@ Status World::setVelocity(BodyId id, const Vec3& velocity) {
     return success();
 }
 
+Status World::steerImpact(BodyId id, const Vec3& velocity) {
+    const BodySlot* body = impl_->find(id);
+    if (body == nullptr) {
+        return kUnknownBody;
+    }
+    if (auto error = checkVector(velocity, kMostSpeed, "velocity")) {
+        return *error;
+    }
+    const auto* impact = body->phase.as<Impact>();
+    if (impact == nullptr) {
+        return Error{"the body must be in an impact, is in a " + std::string(nameOf(body->phase)), "id"};
+    }
+    const Surface& surface = impact->surface;
+    const Vec3 relative = velocity - surface.frame.velocityAt(impl_->time, surface.pointAt(impl_->time));
+    if (!(glm::dot(relative, surface.normalAt(impl_->time)) > 0.0)) {
+        return Error{"must part from the surface that the body is in contact with", "velocity"};
+    }
+    impl_->now(id).steer(velocity);
+    return success();
+}
+
 Status World::setStyle(BodyId id, const Style& style) {
     BodySlot* body = impl_->find(id);
     if (body == nullptr) {

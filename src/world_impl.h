@@ -18,6 +18,8 @@ struct SnapshotState;
 struct World::Impl {
     Surroundings around;
     ParallelFor parallel_for;
+    std::function<double()> clock;
+    StepProfile profile;
     double time = 0.0;
     std::vector<BodySlot> bodies;
     /// By body slot: nothing happens to the body until then, in surroundings of version `quiet_version`. A copy of what
@@ -80,6 +82,7 @@ struct World::Impl {
     [[nodiscard]] double nextPathChange(double to) const;
     void followPaths();
     void takePending();
+    void prepareStep(double until);
     void advanceBodies(double to);
     void advance(double to);
 };

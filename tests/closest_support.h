@@ -6,18 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <limits>
 #include <string>
 #include <vector>
 
 namespace elastoon {
-
-/// How many times the normal number of cases: the environment variable ELASTOON_SOAK.
-inline int soak() {
-    const char* text = std::getenv("ELASTOON_SOAK");
-    return text != nullptr ? std::max(1, std::atoi(text)) : 1;
-}
 
 struct Solids {
     std::vector<ShapePtr> small;

@@ -47,19 +47,6 @@ std::vector<ShapePtr> castOfSolids() {
             valueOf(Shape::sphere(1.1, 2)),         valueOf(Shape::box({3.0, 0.2, 0.2}))};
 }
 
-Style anyStyle(Random& random) {
-    Style style;
-    style.restitution = random.uniform(0.0, 1.0);
-    style.max_stretch = random.uniform(1.1, 2.5);
-    style.min_squash = random.uniform(0.3, 0.9);
-    style.stretch_rate = random.uniform(0.05, 0.5);
-    style.squash_rate = random.uniform(0.5, 2.0);
-    style.squash_law = random.below(2) == 0 ? SquashLaw::Paper : SquashLaw::Bounded;
-    style.friction = random.uniform(0.0, 1.0);
-    style.corner_rule = random.below(3) == 0 ? CornerRule::Blended : CornerRule::Queued;
-    return style;
-}
-
 /// One room, its bodies, and the user who changes it.
 class Crowd {
 public:
@@ -181,6 +168,7 @@ void Crowd::addBodies() {
         BodyDef def;
         def.shape = shapes_[bodies_.size() % shapes_.size()];
         def.style = anyStyle(random_);
+        def.style.corner_rule = random_.below(3) == 0 ? CornerRule::Blended : CornerRule::Queued;
         def.position = kRoom * random_.inBox(0.8);
         def.velocity = random_.inBox(random_.uniform(0.0, 10.0));
         def.rotation = random_.rotation();

@@ -6,7 +6,6 @@
 #include <libqhull_r/qhull_ra.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <set>
@@ -19,11 +18,6 @@ using Points = std::vector<Vec3>;
 using Long = glm::vec<3, long double>;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-int soak() {
-    const char* text = std::getenv("ELASTOON_SOAK");
-    return text == nullptr ? 1 : std::max(1, std::atoi(text));
-}
 
 double largestOf(const Points& points) {
     double largest = 0.0;

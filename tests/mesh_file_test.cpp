@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -166,8 +165,7 @@ TEST_F(MeshFile, PointsThatAreNotFiniteAreRefused) {
 
 /// Cut short or with bytes changed, a file is a mesh or an error with the file's name.
 TEST_F(MeshFile, DamagedFilesEndWell) {
-    const char* soak = std::getenv("ELASTOON_SOAK");
-    const int rounds = 8 * (soak != nullptr ? std::max(1, std::atoi(soak)) : 1);
+    const int rounds = 8 * soak();
     Random random(4);
     int meshes = 0, errors = 0;
     for (int i = 0; i < rounds; ++i) {

@@ -6,7 +6,6 @@
 #include "elastoon/assert.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <map>
 
@@ -14,11 +13,6 @@ namespace elastoon {
 namespace {
 
 using Boxes = std::map<std::size_t, Box>;
-
-int soak() {
-    const char* text = std::getenv("ELASTOON_SOAK");
-    return text == nullptr ? 1 : std::max(1, std::atoi(text));
-}
 
 Box around(const Vec3& middle, const Vec3& half) {
     return {middle - half, middle + half};

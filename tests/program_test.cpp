@@ -223,8 +223,8 @@ TEST_F(Program, FiguresAreMade) {
     const Ran ran =
         run("figures --no-video --samples 1 --only 5 6 7 8 --scenes " + scenePath("figures") + " -o " + path(""));
     EXPECT_EQ(ran.code, 0) << ran.output;
-    EXPECT_EQ(fileCount(), 4U) << ran.output;
-    EXPECT_NE(ran.output.find("figure 8: not yet"), std::string::npos);
+    EXPECT_EQ(fileCount(), 5U) << ran.output;
+    EXPECT_NE(ran.output.find("figure-8-squashout.png"), std::string::npos);
 }
 
 TEST_F(Program, UnwritableOutputExitsWithOne) {
@@ -308,6 +308,43 @@ TEST_F(Program, MeshNotesGoToStandardErrorAlone) {
         std::getline(errors, line);
         EXPECT_EQ(line, note);
     }
+}
+
+/// The last word of the line that begins with this one.
+std::string lastWordAfter(const std::string& text, const std::string& first) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(first)) {
+            return line.substr(line.rfind(' ') + 1);
+        }
+    }
+    return {};
+}
+
+TEST_F(Program, BenchMeasuresItsWorlds) {
+    const std::string table = path("speeds.csv");
+    const Ran one = run("bench pachinko --bodies 40 --seconds 0.01 --commit here --csv " + table);
+    EXPECT_EQ(one.code, 0) << one.output;
+    const std::string hash = lastWordAfter(one.output, "pachinko");
+    EXPECT_EQ(hash.size(), 16U) << one.output;
+    EXPECT_EQ(lastWordAfter(run("bench pachinko --bodies 40 --seconds 0.01 --threads 2").output, "pachinko"), hash);
+    std::ifstream file(table);
+    std::string heads, row;
+    std::getline(file, heads);
+    std::getline(file, row);
+    EXPECT_EQ(heads,
+              "scene,bodies,threads,steps_per_s,ns_per_body_step,bytes_per_body,hash,processor,compiler,flags,commit");
+    EXPECT_TRUE(row.starts_with("pachinko,40,1,") && row.ends_with(",\"here\"")) << row;
+    EXPECT_NE(row.find("," + hash + ","), std::string::npos) << row;
+}
+
+TEST_F(Program, BenchRefusesWhatItDoesNotKnow) {
+    const Ran snow = run("bench snow");
+    EXPECT_EQ(snow.code, 2);
+    EXPECT_NE(snow.output.find("pachinko"), std::string::npos) << snow.output;
+    EXPECT_EQ(run("bench rain --bodies 10 --validate-hash").code, 2);
+    EXPECT_EQ(run("bench rain --threads 0").code, 2);
+    EXPECT_NE(run("bench flight --bodies 5 --csv " + write("file", "") + "/there.csv").code, 0);
 }
 
 } // namespace

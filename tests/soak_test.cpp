@@ -59,17 +59,6 @@ double reachOf(const BodyDef& def) {
     return def.shape->reachAlong() * stretch + def.shape->reachAcross();
 }
 
-Style anyStyle(Random& random) {
-    Style style;
-    style.restitution = random.uniform(0.0, 1.0);
-    style.max_stretch = random.uniform(1.1, 2.5);
-    style.min_squash = random.uniform(0.3, 0.9);
-    style.stretch_rate = random.uniform(0.05, 0.5);
-    style.squash_rate = random.uniform(0.5, 2.0);
-    style.squash_law = random.below(2) == 0 ? SquashLaw::Paper : SquashLaw::Bounded;
-    return style;
-}
-
 /// Some stand, some move, some turn, some do both.
 void setInMotion(Random& random, ObstacleDef& def, double speed, double rate) {
     def.velocity = random.below(2) == 0 ? random.inBox(speed) : Vec3(0.0);

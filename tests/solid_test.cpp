@@ -6,7 +6,6 @@
 #include "witness_support.h"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace elastoon {
 namespace {
@@ -119,8 +118,7 @@ TEST(Solid, RandomBouncesHoldTheirBounds) {
                                valueOf(Shape::capsule(0.25, 1.6, 8))};
     const ShapePtr solids[] = {valueOf(Shape::box({3.0, 1.0, 3.0})), valueOf(Shape::cylinder(0.7, 3.0, 16)),
                                valueOf(Shape::sphere(1.2, 4)), valueOf(Shape::cone(1.2, 1.5, 12))};
-    const char* soak = std::getenv("ELASTOON_SOAK");
-    const int cases = 120 * (soak != nullptr ? std::max(1, std::atoi(soak)) : 1);
+    const int cases = 120 * soak();
     int impacts = 0;
     for (int i = 0; i < cases; ++i) {
         const ShapePtr& shape = bodies[i % 5];

@@ -5,15 +5,9 @@
 #include "test_support.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace elastoon {
 namespace {
-
-int soak() {
-    const char* text = std::getenv("ELASTOON_SOAK");
-    return text == nullptr ? 1 : std::max(1, std::atoi(text));
-}
 
 TEST(SweptBox, OfAnInstantIsExact) {
     const ShapePtr shape = valueOf(Shape::box({2.0, 4.0, 6.0}));

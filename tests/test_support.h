@@ -6,9 +6,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace elastoon {
+
+/// How many times the normal number of random cases: the environment variable ELASTOON_SOAK.
+inline int soak() {
+    const char* text = std::getenv("ELASTOON_SOAK");
+    return text != nullptr ? std::max(1, std::atoi(text)) : 1;
+}
 
 /// splitmix64: the same numbers on every machine.
 class Random {
@@ -48,6 +57,19 @@ private:
     }
     std::uint64_t state_;
 };
+
+/// Lively and dull, by either law, queued in corners.
+inline Style anyStyle(Random& random) {
+    Style style;
+    style.restitution = random.uniform(0.0, 1.0);
+    style.max_stretch = random.uniform(1.1, 2.5);
+    style.min_squash = random.uniform(0.3, 0.9);
+    style.stretch_rate = random.uniform(0.05, 0.5);
+    style.squash_rate = random.uniform(0.5, 2.0);
+    style.squash_law = random.below(2) == 0 ? SquashLaw::Paper : SquashLaw::Bounded;
+    style.friction = random.uniform(0.0, 1.0);
+    return style;
+}
 
 /// The value, or a failed test.
 template <class T>

@@ -168,6 +168,38 @@ TEST(World, ThreadsDoNotChangeTheHash) {
     EXPECT_EQ(run({}), run(backwards));
 }
 
+/// A clock that goes on by one at each look: every part is measured once for each time it runs.
+TEST(World, ProfileNamesThePartsOfTheStep) {
+    double looks = 0.0;
+    const auto make = [](const std::function<double()>& clock) {
+        World world = valueOf(World::create({.gravity = {0, -9.81, 0}, .parallel_for = {}, .clock = clock}));
+        (void)valueOf(world.addObstacle(ObstacleDef::plane({0, 1, 0}, 0.0)));
+        ObstacleDef lift;
+        lift.shape = valueOf(Shape::box({1.0, 0.1, 1.0}));
+        lift.position = {5, 1, 0};
+        lift.path = {{0.05, {5, 2, 0}, kNoRotation}, {1.0, {5, 1, 0}, kNoRotation}};
+        (void)valueOf(world.addObstacle(lift));
+        (void)valueOf(world.addBody(ballAt({0, 3, 0})));
+        return world;
+    };
+    World world = make([&] { return looks += 1.0; });
+    EXPECT_EQ(world.profile().advance, 0.0);
+    world.step(0.1);
+    (void)world.matrices();
+    (void)world.matrices();
+    // A key of the path lies within the step: two goes.
+    EXPECT_EQ(world.profile().prepare, 2.0);
+    EXPECT_EQ(world.profile().advance, 2.0);
+    EXPECT_EQ(world.profile().follow_paths, 2.0);
+    EXPECT_EQ(world.profile().sort_events, 1.0);
+    EXPECT_EQ(world.profile().matrices, 2.0);
+    EXPECT_EQ(world.profile().advanced, 2U);
+    World plain = make({});
+    plain.step(0.1);
+    EXPECT_EQ(plain.profile().advance, 0.0);
+    EXPECT_EQ(plain.stateHash(), world.stateHash());
+}
+
 TEST(World, UserChangesTakeEffectAtOnce) {
     World world = worldWithFloor();
     const BodyId body = valueOf(world.addBody(ballAt({0, 0.5, 0})));

@@ -16,6 +16,7 @@ void addRenderCommand(CLI::App& app);
 void addFiguresCommand(CLI::App& app);
 void addCheckCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
+void addBenchCommand(CLI::App& app);
 
 /// Accepts numbers from least to most; unlike CLI::Range, it refuses NaN.
 [[nodiscard]] CLI::Validator between(double least, double most);

@@ -1,6 +1,7 @@
 // elastoon figures: the paper's figures from scenes/figures/, each as a picture and where it is motion as a video.
 #include "commands.h"
 #include "curve_figure.h"
+#include "game_figure.h"
 #include "model_plots.h"
 #include "render.h"
 #include "sheet.h"
@@ -130,6 +131,23 @@ void makeSceneFigure(const FiguresOptions& options, const FigureScene& figure) {
     }
 }
 
+void makeGameFigure(const FiguresOptions& options) {
+    const PlayedSequence played = orFail(playSequence(options.scenes + "/8-squashout"), kExitBadUse);
+    const std::string stem = options.folder + "/figure-8-squashout";
+    StrobeOptions strobe;
+    strobe.size = {720, 1000};
+    strobe.samples = options.samples;
+    (void)orFail(renderStrobe(played.scene, played.timeline, strobe, stem + ".png"));
+    report(stem + ".png");
+    if (!options.no_video) {
+        VideoOptions video;
+        video.size = {540, 750};
+        video.samples = std::max(1, options.samples / 4);
+        (void)orFail(renderVideo(played.film, played.timeline, video, stem + ".mp4"));
+        report(stem + ".mp4");
+    }
+}
+
 void makeFigures(const FiguresOptions& options) {
     const auto wanted = [&](int number) {
         return options.only.empty() ||
@@ -148,7 +166,7 @@ void makeFigures(const FiguresOptions& options) {
         }
     }
     if (wanted(8)) {
-        fmt::print("figure 8: not yet\n");
+        makeGameFigure(options);
     }
     if (options.plots) {
         orFail(writeModelPlots(options.folder));
@@ -160,7 +178,7 @@ void makeFigures(const FiguresOptions& options) {
 
 void addFiguresCommand(CLI::App& app) {
     auto options = std::make_shared<FiguresOptions>();
-    CLI::App* command = app.add_subcommand("figures", "Make the paper's figures (1 to 7 today)");
+    CLI::App* command = app.add_subcommand("figures", "Make the paper's figures");
     command->add_option("-o,--output", options->folder, "Folder to write to; made where it is missing")->required();
     command->add_option("--scenes", options->scenes, "Folder of the figures' scenes")->capture_default_str();
     command->add_option("--only", options->only, "Only figures of these numbers")->check(between(1, 8));

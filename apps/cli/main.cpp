@@ -1,4 +1,4 @@
-// The program: elastoon simulate | render | figures | check | compare. Exit codes: 0 done, 1 failed, 2 bad use.
+// The program: elastoon simulate | render | figures | check | compare | bench. Exit codes: 0 done, 1 failed, 2 bad use.
 #include "commands.h"
 #include "progress.h"
 
@@ -15,12 +15,14 @@ int main(int argc, char** argv) {
     elastoon::addFiguresCommand(app);
     elastoon::addCheckCommand(app);
     elastoon::addCompareCommand(app);
+    elastoon::addBenchCommand(app);
     elastoon::catchInterrupts();
     if (argc > 1 && argv[1][0] != '-' &&
         app.get_subcommands([&](CLI::App* command) { return command->check_name(argv[1]); }).empty()) {
-        fmt::print(stderr,
-                   "elastoon: there is no command \"{}\"; there are simulate, render, figures, check and compare\n",
-                   argv[1]);
+        fmt::print(
+            stderr,
+            "elastoon: there is no command \"{}\"; there are simulate, render, figures, check, compare and bench\n",
+            argv[1]);
         return elastoon::kExitBadUse;
     }
     try {

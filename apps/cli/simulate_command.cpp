@@ -1,14 +1,13 @@
 // elastoon simulate: runs a scene, writes what it did, prints counts, speed and the state's hash.
 #include "commands.h"
 #include "gltf_export.h"
+#include "parallel.h"
 #include "progress.h"
 #include "recording.h"
 #include "video.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <chrono>
@@ -39,17 +38,6 @@ void checkOutputs(const SimulateOptions& options) {
     if (!options.events.empty() && endingOf(options.events) != ".csv") {
         fail({"the ending must be .csv", options.events}, kExitBadUse);
     }
-}
-
-ParallelFor onThreads(int threads) {
-    if (threads == 1) {
-        return {};
-    }
-    return [](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body) {
-        constexpr std::size_t kGrain = 64;
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
-                          [&](const auto& range) { body(range.begin(), range.end()); });
-    };
 }
 
 Status write(const SimulateOptions& options, const Scene& scene, const Performance& performance, double duration,

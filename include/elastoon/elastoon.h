@@ -396,6 +396,9 @@ ELASTOON_API ElastoonResult elastoonBodyShape(ElastoonBody body, ElastoonShape* 
 ELASTOON_API ElastoonResult elastoonBodySetPosition(ElastoonBody body, ElastoonVec3 position);
 /** The body flies with this velocity from now on. */
 ELASTOON_API ElastoonResult elastoonBodySetVelocity(ElastoonBody body, ElastoonVec3 velocity);
+/** The impact that the body is in ends with this velocity (world), for a game's paddle; it turns towards it about the
+ * contact. Refused in no impact, and where the velocity does not part from the surface. */
+ELASTOON_API ElastoonResult elastoonBodySteerImpact(ElastoonBody body, ElastoonVec3 velocity);
 /** Holds from the body's next phase on; a flight takes it over at once. */
 ELASTOON_API ElastoonResult elastoonBodySetStyle(ElastoonBody body, const ElastoonStyle* style);
 /** The body's poses `delays[i]` s from now (0 to 1e6), as far as nothing is changed meanwhile. The world stays as it

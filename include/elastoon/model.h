@@ -39,6 +39,7 @@ struct ImpactCurve {
     [[nodiscard]] double duration() const { return t_in + t_out; }
     /// Stretch at local time t; the ends hold outside 0..duration().
     [[nodiscard]] double at(double t) const;
+    bool operator==(const ImpactCurve& other) const = default;
 };
 
 /// The curve of one impact. Paper, section 3.4; floors and limits: docs/model.md.

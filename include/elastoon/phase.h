@@ -26,13 +26,22 @@ struct MovingFrame {
     Vec3 velocity{0.0};         ///< of the origin, m/s
     Vec3 angular_velocity{0.0}; ///< world axes, rad/s
 
-    [[nodiscard]] bool moves() const;
+    [[nodiscard]] bool moves() const { return velocity != Vec3(0.0) || angular_velocity != Vec3(0.0); }
     [[nodiscard]] Vec3 originAt(double t) const { return origin + velocity * (t - start); }
-    [[nodiscard]] Quat orientationAt(double t) const;
+    [[nodiscard]] Quat orientationAt(double t) const {
+        return angular_velocity == Vec3(0.0) ? orientation : turnedAt(t);
+    }
     /// Velocity at time t of the frame's material point that is at `point` (world).
     [[nodiscard]] Vec3 velocityAt(double t, const Vec3& point) const;
-    [[nodiscard]] Vec3 worldFromFrame(double t, const Vec3& point) const;
-    [[nodiscard]] Vec3 frameFromWorld(double t, const Vec3& point) const;
+    [[nodiscard]] Vec3 worldFromFrame(double t, const Vec3& point) const {
+        return originAt(t) + orientationAt(t) * point;
+    }
+    [[nodiscard]] Vec3 frameFromWorld(double t, const Vec3& point) const {
+        return glm::conjugate(orientationAt(t)) * (point - originAt(t));
+    }
+
+private:
+    [[nodiscard]] Quat turnedAt(double t) const;
 };
 
 /// A plane that is carried by a frame: what a body is in contact with. It refers to no obstacle, it is a thing of its

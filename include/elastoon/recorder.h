@@ -57,11 +57,15 @@ struct MoveObstacle {
     Quat rotation{kNoRotation};
     double duration = 0.0; ///< s
 };
+struct SteerImpact {
+    BodyId id;
+    Vec3 velocity{0.0};
+};
 } // namespace input
 
 using Input = std::variant<input::AddBody, input::RemoveBody, input::AddObstacle, input::RemoveObstacle,
                            input::SetPosition, input::SetVelocity, input::SetStyle, input::SetGravity,
-                           input::SetObstacleMotion, input::SetObstaclePose, input::MoveObstacle>;
+                           input::SetObstacleMotion, input::SetObstaclePose, input::MoveObstacle, input::SteerImpact>;
 
 struct TimedInput {
     std::size_t step = 0; ///< number of steps before it
@@ -113,6 +117,7 @@ public:
     bool removeObstacle(ObstacleId id);
     Status setPosition(BodyId id, const Vec3& position);
     Status setVelocity(BodyId id, const Vec3& velocity);
+    Status steerImpact(BodyId id, const Vec3& velocity);
     Status setStyle(BodyId id, const Style& style);
     Status setGravity(const Vec3& gravity);
     Status setObstacleMotion(ObstacleId id, const Vec3& velocity, const Vec3& angular_velocity);

@@ -27,6 +27,19 @@ using ParallelFor = std::function<void(std::size_t count, const std::function<vo
 struct WorldDef {
     Vec3 gravity{0.0, -9.81, 0.0}; ///< m/s^2, each component within +-1e6. Default earth's, y up. Paper, section 3.
     ParallelFor parallel_for;      ///< empty: on the calling thread
+    /// A clock of the host, s, for World::profile(); empty: nothing is measured. The library reads none itself.
+    std::function<double()> clock = {};
+};
+
+/// Where the time of the last step went, s by WorldDef::clock. docs/step.md tells the parts. Only to look at: nothing
+/// in the motion depends on it.
+struct StepProfile {
+    double prepare = 0.0; ///< obstacles' boxes are brought to where they will be
+    double advance = 0.0; ///< bodies: searches for what comes next, and events
+    double follow_paths = 0.0; ///< obstacles take the next leg of their path
+    double sort_events = 0.0;
+    double matrices = 0.0; ///< of the calls of matrices() since the step
+    std::size_t advanced = 0; ///< bodies that were not known to be quiet until its end
 };
 
 /// Start state of a body. It is turned so that its principal axis, +x end first, lies along its heading.
@@ -151,6 +164,11 @@ public:
     Status setPosition(BodyId id, const Vec3& position);
     /// The body flies with this velocity from now on; the end of it that is nearer to the heading leads.
     Status setVelocity(BodyId id, const Vec3& velocity);
+    /// An impact's outcome, for a game's paddle: the body turns and stretches about its contact towards this velocity
+    /// (world) and leaves with it. The impact takes it over smoothly: its turn in the squash half, later its velocity
+    /// alone. Where the surface changes its own velocity afterwards, steer again. Refused: a body that is in no impact,
+    /// and a velocity that does not part from the surface.
+    Status steerImpact(BodyId id, const Vec3& velocity);
     /// Holds from the body's next phase on; a flight takes it over at once.
     Status setStyle(BodyId id, const Style& style);
     /// Flights go on under the new gravity.
@@ -183,6 +201,9 @@ public:
     /// many flights are worked out at once, and what is still is not looked at. Valid until the world is changed or
     /// stepped.
     [[nodiscard]] std::span<const float> matrices();
+
+    /// All zero without WorldDef::clock, but for the count.
+    [[nodiscard]] const StepProfile& profile() const;
 
     /// The following need an id that contains() knows.
     [[nodiscard]] Pose pose(BodyId id) const;

@@ -46,12 +46,13 @@ inline Result<std::vector<Golden>> readGoldens(const std::string& file) {
 
 /// The staged scene at its end. `seen` is called before the first step and after each.
 inline Result<StagedScene> runGolden(const Golden& golden, const std::string& scenes,
-                                     const std::function<void(const Scene&, const StagedScene&)>& seen = {}) {
+                                     const std::function<void(const Scene&, StagedScene&)>& seen = {},
+                                     const ParallelFor& parallel_for = {}) {
     const auto scene = readScene(scenes + "/" + golden.scene);
     if (!scene) {
         return scene.error();
     }
-    auto staged = stage(scene.value());
+    auto staged = stage(scene.value(), parallel_for);
     if (!staged) {
         return staged.error();
     }

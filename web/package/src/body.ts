@@ -189,6 +189,10 @@ export class Body {
   setLinvel(velocity: Readonly<Vector>): void {
     this.change("elastoonBodySetVelocity", core().putVector(velocity));
   }
+  /** The impact that it is in ends with this velocity. Refused in no impact, and where that does not part from the surface. */
+  steerImpact(velocity: Readonly<Vector>): void {
+    this.change("elastoonBodySteerImpact", core().putVector(velocity));
+  }
   /** Holds from the next phase on; a flight takes it over at once. */
   setStyle(style: StyleLike): void {
     const c = core();

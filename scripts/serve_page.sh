@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Builds the studio and serves it on this machine. Usage: studio.sh [--port N]
+# Builds a page and serves it on this machine. Usage: serve_page.sh studio|game [--port N]
 set -euo pipefail
 cd "$(dirname "$0")/.."
-usage="usage: ./run studio [--port N]
-Builds the studio where something changed, and serves it on this machine until Ctrl C. Default port: 4173, or the next free one."
+page=$1
+shift
+usage="usage: ./run $page [--port N]
+Builds the page where something changed, and serves it on this machine until Ctrl C. Default port: 4173, or the next free one."
 port=4173
 strict=()
 while [ $# -gt 0 ]; do
@@ -14,7 +16,7 @@ while [ $# -gt 0 ]; do
       ;;
     --port)
       if ! [[ ${2:-} =~ ^[0-9]{1,5}$ ]] || [ "$2" -lt 1 ] || [ "$2" -gt 65535 ]; then
-        echo "studio: --port needs a number from 1 to 65535" >&2
+        echo "$page: --port needs a number from 1 to 65535" >&2
         exit 2
       fi
       port=$2
@@ -22,7 +24,7 @@ while [ $# -gt 0 ]; do
       shift 2
       ;;
     *)
-      printf 'studio: unknown argument %s\n%s\n' "$1" "$usage" >&2
+      printf '%s: unknown argument %s\n%s\n' "$page" "$1" "$usage" >&2
       exit 2
       ;;
   esac
@@ -30,10 +32,10 @@ done
 
 scripts/install.sh web
 node -e 'const [a, b] = process.versions.node.split("."); process.exit(a > 20 || (a == 20 && b >= 19) ? 0 : 1)' || {
-  echo "studio: needs Node 20.19 or later, this is $(node --version): https://nodejs.org" >&2
+  echo "$page: needs Node 20.19 or later, this is $(node --version): https://nodejs.org" >&2
   exit 1
 }
-scripts/build_page.sh studio
-echo "The studio, until Ctrl C:"
-cd web/studio
+scripts/build_page.sh "$page"
+echo "The $page, until Ctrl C:"
+cd "web/$page"
 exec npx vite preview --host 127.0.0.1 --port "$port" "${strict[@]}"
