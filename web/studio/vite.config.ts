@@ -7,7 +7,8 @@ import { defineConfig, type Plugin } from "vite";
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /** Scripts come from this page alone, and nothing is sent anywhere. */
-const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; " +
+const policy =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; " +
   "img-src 'self' blob: data:; font-src 'self'; connect-src 'self' blob: data:; worker-src 'self' blob:; " +
   "media-src blob:; manifest-src 'self'; base-uri 'none'; form-action 'none'";
 
@@ -15,8 +16,9 @@ function contentPolicy(): Plugin {
   return {
     name: "content-policy",
     apply: "build",
-    transformIndexHtml: () => [{ tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy },
-      injectTo: "head-prepend" }],
+    transformIndexHtml: () => [
+      { tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy }, injectTo: "head-prepend" },
+    ],
   };
 }
 
@@ -26,13 +28,19 @@ function serviceWorker(): Plugin {
     name: "service-worker",
     apply: "build",
     generateBundle(_options, bundle) {
-      const files = ["./", "manifest.webmanifest", "icon.svg", ...Object.keys(bundle).filter((name) => name !== "index.html")];
+      const files = [
+        "./",
+        "manifest.webmanifest",
+        "icon.svg",
+        ...Object.keys(bundle).filter((name) => name !== "index.html"),
+      ];
       const hash = createHash("sha256");
       for (const [name, item] of Object.entries(bundle)) {
         hash.update(name).update(item.type === "chunk" ? item.code : item.source);
       }
       const source = readFileSync(at("./src/sw.js"), "utf8")
-        .replace("/* files */ []", JSON.stringify(files)).replace("VERSION", hash.digest("hex").slice(0, 12));
+        .replace("/* files */ []", JSON.stringify(files))
+        .replace("VERSION", hash.digest("hex").slice(0, 12));
       this.emitFile({ type: "asset", fileName: "sw.js", source });
     },
   };

@@ -1,8 +1,17 @@
 // Bodies as instances: those of one shape and pattern are drawn in one call, from a world's list of matrices.
 import { type Shape } from "elastoon";
 import { geometryOf } from "elastoon/three";
-import { type BufferGeometry, Color, Group, InstancedMesh, Matrix4, type Object3D, type Raycaster, SphereGeometry,
-  Vector3 } from "three";
+import {
+  type BufferGeometry,
+  Color,
+  Group,
+  InstancedMesh,
+  Matrix4,
+  type Object3D,
+  type Raycaster,
+  SphereGeometry,
+  Vector3,
+} from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { addOccluder, type Occluders } from "./occlusion.js";
 import { patterned, type PatternName } from "./patterns.js";
@@ -28,21 +37,37 @@ export function halfExtents(shape: Shape): [number, number, number] {
   return [shape.extents.x / 2, shape.extents.y / 2, shape.extents.z / 2];
 }
 
-/** The shape to be looked at: round where it is meant to be round. */
-export function displayGeometry(shape: Shape): BufferGeometry {
+/** The shape to be looked at: round where it is meant to be round, and less so among `count` of its kind. */
+export function displayGeometry(shape: Shape, count = 1): BufferGeometry {
   if (shape.kind === "sphere") {
-    return new SphereGeometry(shape.length / 2, 48, 32).rotateZ(-Math.PI / 2);
+    const cuts = count > 400 ? 14 : count > 60 ? 24 : 48;
+    return new SphereGeometry(shape.length / 2, cuts, Math.ceil(cuts / 1.5)).rotateZ(-Math.PI / 2);
   }
   if (shape.kind === "box" || shape.kind === "hull") return geometryOf(shape, true);
   return toCreasedNormals(geometryOf(shape, false).toNonIndexed(), 0.7);
 }
 
-/** The body's matrix as 16 numbers of a Matrix4, from `to` on. */
+/** The body's matrix as 16 numbers of a Matrix4, from `to` on. Written out: it runs for every body in every frame. */
 function widen(matrices: ArrayLike<number>, index: number, into: { [place: number]: number }, to: number): void {
-  for (let column = 0; column < 4; ++column) {
-    for (let row = 0; row < 3; ++row) into[to + 4 * column + row] = matrices[12 * index + 3 * column + row] ?? 0;
-    into[to + 4 * column + 3] = column === 3 ? 1 : 0;
-  }
+  const m = matrices as Float32Array;
+  const at = 12 * index;
+  const there = at + 12 <= m.length;
+  into[to] = there ? m[at]! : 0;
+  into[to + 1] = there ? m[at + 1]! : 0;
+  into[to + 2] = there ? m[at + 2]! : 0;
+  into[to + 3] = 0;
+  into[to + 4] = there ? m[at + 3]! : 0;
+  into[to + 5] = there ? m[at + 4]! : 0;
+  into[to + 6] = there ? m[at + 5]! : 0;
+  into[to + 7] = 0;
+  into[to + 8] = there ? m[at + 6]! : 0;
+  into[to + 9] = there ? m[at + 7]! : 0;
+  into[to + 10] = there ? m[at + 8]! : 0;
+  into[to + 11] = 0;
+  into[to + 12] = there ? m[at + 9]! : 0;
+  into[to + 13] = there ? m[at + 10]! : 0;
+  into[to + 14] = there ? m[at + 11]! : 0;
+  into[to + 15] = 1;
 }
 
 /** Draws bodies. `group` is to be put in a scene, at its origin. */
@@ -52,7 +77,10 @@ export class BodyViews {
   private single: BodyLook[] = [];
   private highlighted = -1;
 
-  constructor(private readonly cream: number, private readonly options: { opacity?: number; shadows?: boolean } = {}) {}
+  constructor(
+    private readonly cream: number,
+    private readonly options: { opacity?: number; shadows?: boolean } = {},
+  ) {}
 
   /** Takes these bodies from now on. `copies` is how often each may be drawn (see `place`). */
   set(looks: readonly BodyLook[], copies = 1): void {
@@ -74,7 +102,11 @@ export class BodyViews {
       const { shape, pattern } = of_kind[0]!;
       const half = halfExtents(shape);
       const material = patterned(pattern, half, this.cream, this.options);
-      const mesh = new InstancedMesh(displayGeometry(shape), material, of_kind.length * copies);
+      const mesh = new InstancedMesh(
+        displayGeometry(shape, of_kind.length * copies),
+        material,
+        of_kind.length * copies,
+      );
       mesh.castShadow = mesh.receiveShadow = this.options.shadows ?? true;
       mesh.frustumCulled = false;
       const color = new Color();
@@ -117,12 +149,16 @@ export class BodyViews {
 
   /** Adds those that are nearest to `center` to what darkens, at most `most`. */
   occlude(occluders: Occluders, matrices: ArrayLike<number>, most: number, center: Vector3): void {
+    if (most === 0) return;
     const near: { distance: number; at: number; half: readonly number[] }[] = [];
     for (const { looks, half } of this.batches) {
       for (const { index } of looks) {
         const at = 12 * index;
-        const distance = Math.hypot((matrices[at + 9] ?? 0) - center.x, (matrices[at + 10] ?? 0) - center.y,
-          (matrices[at + 11] ?? 0) - center.z);
+        const distance = Math.hypot(
+          (matrices[at + 9] ?? 0) - center.x,
+          (matrices[at + 10] ?? 0) - center.y,
+          (matrices[at + 11] ?? 0) - center.z,
+        );
         near.push({ distance, at, half });
       }
     }

@@ -1,7 +1,19 @@
-// Planes and solids. Planes are drawn as large sheets that fade into the backdrop and are seen from their free side only.
+// Planes and solids. Planes are drawn as large sheets that fade into the backdrop and are seen from their free side
+// only.
 import { type Rotation, type Shape, type Vector } from "elastoon";
-import { Color, DoubleSide, FrontSide, Group, Mesh, MeshStandardMaterial, type Object3D, PlaneGeometry, Quaternion,
-  type Raycaster, Vector3 } from "three";
+import {
+  Color,
+  DoubleSide,
+  FrontSide,
+  Group,
+  Mesh,
+  MeshStandardMaterial,
+  type Object3D,
+  PlaneGeometry,
+  Quaternion,
+  type Raycaster,
+  Vector3,
+} from "three";
 import { displayGeometry } from "./bodies.js";
 import { darkened, type Occluders } from "./occlusion.js";
 import type { Theme } from "./theme.js";
@@ -48,7 +60,8 @@ export class ObstacleViews {
     this.clear();
     this.looks = looks;
     for (const look of looks) {
-      const mesh = look.shape === null ? this.sheet(look, theme, occluders, center, reach) : this.solid(look, theme, occluders);
+      const mesh =
+        look.shape === null ? this.sheet(look, theme, occluders, center, reach) : this.solid(look, theme, occluders);
       mesh.receiveShadow = true;
       this.meshes.push(mesh);
       this.group.add(mesh);
@@ -67,17 +80,33 @@ export class ObstacleViews {
   private sheet(look: ObstacleLook, theme: Theme, occluders: Occluders, center: Vector3, reach: number): Mesh {
     // Walls stand against the light and before the backdrop: they glow a little and let it through.
     const wall = Math.abs(look.normal.y) < 0.7;
-    const material = new MeshStandardMaterial({ color: look.color ?? theme.floor, roughness: 0.95, transparent: true,
-      side: FrontSide, opacity: wall ? 0.55 : 1, userData: { glow: wall ? 0.35 : 0 } });
+    const material = new MeshStandardMaterial({
+      color: look.color ?? theme.floor,
+      roughness: 0.95,
+      transparent: true,
+      side: FrontSide,
+      opacity: wall ? 0.55 : 1,
+      userData: { glow: wall ? 0.35 : 0 },
+    });
     material.emissive.setHex(look.color ?? theme.floor);
     material.emissiveIntensity = wall ? 0.35 : 0;
-    darkened(material, occluders, { declare: sheetDeclare, color: sheetColor, key: "sheet", uniforms: {
-      uCenter: { value: center.clone() }, uReach: { value: reach }, uGrid: { value: new Color(theme.grid) } } });
+    darkened(material, occluders, {
+      declare: sheetDeclare,
+      color: sheetColor,
+      key: "sheet",
+      uniforms: {
+        uCenter: { value: center.clone() },
+        uReach: { value: reach },
+        uGrid: { value: new Color(theme.grid) },
+      },
+    });
     const compile = material.onBeforeCompile.bind(material);
     material.onBeforeCompile = (shader, renderer) => {
       compile(shader, renderer);
-      shader.vertexShader = `varying vec2 vSheet;\n${shader.vertexShader}`
-        .replace("#include <begin_vertex>", "#include <begin_vertex>\n  vSheet = position.xy;");
+      shader.vertexShader = `varying vec2 vSheet;\n${shader.vertexShader}`.replace(
+        "#include <begin_vertex>",
+        "#include <begin_vertex>\n  vSheet = position.xy;",
+      );
     };
     const mesh = new Mesh(new PlaneGeometry(2 * reach, 2 * reach), material);
     mesh.renderOrder = -1;

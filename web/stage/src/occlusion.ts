@@ -4,7 +4,8 @@ import { type MeshStandardMaterial, Vector4, type WebGLProgramParametersWithUnif
 /** Most bodies that darken at once. */
 export const kMostOccluders = 32;
 
-/** For a body whose unit sphere goes to the world by x = M X + p: the three rows of M's inverse, with -(row . p) as fourth. */
+/** For a body whose unit sphere goes to the world by x = M X + p: the three rows of M's inverse, with -(row . p) as
+ *  fourth. */
 export interface Occluders {
   readonly rows: Vector4[];
   count: number;
@@ -54,8 +55,11 @@ float lightPastBodies() {
 `;
 
 /** Lets the material be darkened. `extra` is more GLSL for after the colour is known. */
-export function darkened(material: MeshStandardMaterial, occluders: Occluders,
-  extra: { declare?: string; color?: string; uniforms?: Record<string, { value: unknown }>; key?: string } = {}): void {
+export function darkened(
+  material: MeshStandardMaterial,
+  occluders: Occluders,
+  extra: { declare?: string; color?: string; uniforms?: Record<string, { value: unknown }>; key?: string } = {},
+): void {
   const uniforms = { uOccluders: { value: occluders.rows }, uOccluderCount: { value: 0 }, ...extra.uniforms };
   material.userData["uniforms"] = uniforms;
   material.onBeforeRender = () => {
@@ -63,16 +67,21 @@ export function darkened(material: MeshStandardMaterial, occluders: Occluders,
   };
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms) => {
     Object.assign(shader.uniforms, uniforms);
-    shader.vertexShader = `varying vec3 vStagePoint;\nvarying vec3 vStageNormal;\n${shader.vertexShader}`
-      .replace("#include <project_vertex>", `#include <project_vertex>
+    shader.vertexShader = `varying vec3 vStagePoint;\nvarying vec3 vStageNormal;\n${shader.vertexShader}`.replace(
+      "#include <project_vertex>",
+      `#include <project_vertex>
   vStagePoint = (modelMatrix * vec4(transformed, 1.0)).xyz;
-  vStageNormal = mat3(modelMatrix) * objectNormal;`);
+  vStageNormal = mat3(modelMatrix) * objectNormal;`,
+    );
     shader.fragmentShader = `${glsl}${extra.declare ?? ""}\n${shader.fragmentShader}`
       .replace("#include <color_fragment>", `#include <color_fragment>\n${extra.color ?? ""}`)
-      .replace("#include <aomap_fragment>", `#include <aomap_fragment>
+      .replace(
+        "#include <aomap_fragment>",
+        `#include <aomap_fragment>
   float past = lightPastBodies();
   reflectedLight.indirectDiffuse *= past;
-  reflectedLight.directDiffuse *= mix(1.0, past, 0.45);`);
+  reflectedLight.directDiffuse *= mix(1.0, past, 0.45);`,
+      );
   };
   material.customProgramCacheKey = () => `elastoon-occlusion-${extra.key ?? ""}`;
 }

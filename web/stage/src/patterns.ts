@@ -4,8 +4,8 @@ import { Color, MeshStandardMaterial, type WebGLProgramParametersWithUniforms } 
 export const patternNames = ["checker", "two-tone", "stripes", "gores", "plain"] as const;
 export type PatternName = (typeof patternNames)[number];
 
-/** 1 where the second colour shows. `p` is the point of the body, each axis from -1 to 1; x is the principal axis. Edges are as
- *  soft as a pixel. */
+/** 1 where the second colour shows. `p` is the point of the body, each axis from -1 to 1; x is the principal axis.
+ *  Edges are as soft as a pixel. */
 const glsl = /* glsl */ `
 varying vec3 vBodyPoint;
 uniform vec3 uSecond;
@@ -32,8 +32,12 @@ float patternBelt(vec3 p) {
 `;
 
 /** A material whose pattern is in its vertices' own frame. `half_extents` are those of the shape. */
-export function patterned(pattern: PatternName, half_extents: readonly [number, number, number], cream: number,
-  options: { opacity?: number } = {}): MeshStandardMaterial {
+export function patterned(
+  pattern: PatternName,
+  half_extents: readonly [number, number, number],
+  cream: number,
+  options: { opacity?: number } = {},
+): MeshStandardMaterial {
   const opacity = options.opacity ?? 1;
   const material = new MeshStandardMaterial({ roughness: 0.5, metalness: 0, transparent: opacity < 1, opacity });
   const uniforms = {
@@ -44,14 +48,18 @@ export function patterned(pattern: PatternName, half_extents: readonly [number, 
   material.userData["uniforms"] = uniforms;
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms) => {
     Object.assign(shader.uniforms, uniforms);
-    shader.vertexShader = `varying vec3 vBodyPoint;\nuniform vec3 uHalf;\n${shader.vertexShader}`
-      .replace("#include <begin_vertex>", "#include <begin_vertex>\n  vBodyPoint = position / uHalf;");
-    shader.fragmentShader = `${glsl}\n${shader.fragmentShader}`.replace("#include <color_fragment>",
+    shader.vertexShader = `varying vec3 vBodyPoint;\nuniform vec3 uHalf;\n${shader.vertexShader}`.replace(
+      "#include <begin_vertex>",
+      "#include <begin_vertex>\n  vBodyPoint = position / uHalf;",
+    );
+    shader.fragmentShader = `${glsl}\n${shader.fragmentShader}`.replace(
+      "#include <color_fragment>",
       `#include <color_fragment>
   vec3 second_color = mix(uSecond, diffuseColor.rgb, 0.12);
   vec3 belt_color = diffuseColor.rgb * 0.35;
   diffuseColor.rgb = mix(diffuseColor.rgb, second_color, patternShare(vBodyPoint));
-  diffuseColor.rgb = mix(diffuseColor.rgb, belt_color, patternBelt(vBodyPoint));`);
+  diffuseColor.rgb = mix(diffuseColor.rgb, belt_color, patternBelt(vBodyPoint));`,
+    );
   };
   material.customProgramCacheKey = () => "elastoon-pattern";
   return material;

@@ -39,11 +39,15 @@ export class Governor {
   private rose = false;
 
   /** `fixed`: the level stays as it is. */
-  constructor(level = 0, private readonly fixed = false) {
+  constructor(
+    level = 0,
+    private readonly fixed = false,
+  ) {
     this.level = Math.min(Math.max(level, 0), this.worst);
   }
 
-  /** `elapsed` ms went by since the last frame. True where the level changed. A pause (over a second) does not count. */
+  /** `elapsed` ms went by since the last frame. True where the level changed. A pause (over a second) does not
+   *  count. */
   frame(elapsed: number): boolean {
     if (this.fixed || (elapsed > 1000 && this.frames <= 0)) return false;
     if (this.frames++ < 0) return false;
@@ -84,8 +88,13 @@ export interface Capability {
 export function capability(canvas = document.createElement("canvas")): Capability {
   const gl = canvas.getContext("webgl2");
   if (gl === null) {
-    return { software: true, renderer: "none", missing: "This page draws with WebGL 2, which this browser does not " +
-      "offer or has switched off. Try a current browser, or switch graphics acceleration on in its settings." };
+    return {
+      software: true,
+      renderer: "none",
+      missing:
+        "This page draws with WebGL 2, which this browser does not " +
+        "offer or has switched off. Try a current browser, or switch graphics acceleration on in its settings.",
+    };
   }
   const info = gl.getExtension("WEBGL_debug_renderer_info");
   const renderer = String(gl.getParameter(info === null ? gl.RENDERER : info.UNMASKED_RENDERER_WEBGL));

@@ -1,6 +1,15 @@
 // The renderer with its light, shadows, backdrop and quality steps: what every page of this project draws its world on.
-import { Color, DirectionalLight, HemisphereLight, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, Vector3,
-  WebGLRenderer } from "three";
+import {
+  Color,
+  DirectionalLight,
+  HemisphereLight,
+  NeutralToneMapping,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
 import { makeOccluders, type Occluders } from "./occlusion.js";
 import { type Capability, Governor, qualities, type Quality } from "./quality.js";
 import { type Theme, type ThemeName, themes } from "./theme.js";
@@ -45,7 +54,11 @@ export class Stage {
     this.themeName = options.theme;
     const fixed = options.quality !== undefined;
     this.governor = new Governor(options.quality ?? (options.capability.software ? 3 : 0), fixed);
-    this.renderer = new WebGLRenderer({ canvas, antialias: !options.capability.software || fixed, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: !options.capability.software || fixed,
+      powerPreference: "high-performance",
+    });
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.info.autoReset = false;
@@ -79,7 +92,9 @@ export class Stage {
     this.themeName = name;
     const { horizon, sky, floor, ambient, sun } = this.theme;
     this.scene.background = new Color(horizon);
-    this.hemisphere.color.setHex(name === "dark" ? 0xdde5f7 : 0xffffff).lerp(new Color(sky), name === "dark" ? 0.1 : 0.2);
+    this.hemisphere.color
+      .setHex(name === "dark" ? 0xdde5f7 : 0xffffff)
+      .lerp(new Color(sky), name === "dark" ? 0.1 : 0.2);
     this.hemisphere.groundColor.setHex(floor).lerp(new Color(0x9a8c7a), 0.25);
     this.hemisphere.intensity = ambient;
     this.sun.color.setHex(0xfff3e2);

@@ -26,7 +26,10 @@ async function begin(): Promise<void> {
 
 begin().catch((error: unknown) => {
   root.replaceChildren();
-  render(<Failure title="The studio could not begin" text={error instanceof Error ? error.message : String(error)} />, root);
+  render(
+    <Failure title="The studio could not begin" text={error instanceof Error ? error.message : String(error)} />,
+    root,
+  );
 });
 
 if (import.meta.env.PROD && "serviceWorker" in navigator) {

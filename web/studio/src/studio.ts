@@ -3,19 +3,42 @@ import type { StyleParameters } from "elastoon";
 import { batch, computed, signal } from "@preact/signals";
 import { type Capability, type PatternName, systemTheme, type ThemeName } from "stage";
 import type { Object3D } from "three";
-import { addBody, addObstacle, assignStyle, bodiesOf, changeBody, changeObstacle, dropOverride, type NewBody, removeBody,
-  removeObstacle, setParameter, setStyle, styleOf, throwBody } from "./core/edit.js";
+import {
+  addBody,
+  addObstacle,
+  assignStyle,
+  bodiesOf,
+  changeBody,
+  changeObstacle,
+  dropOverride,
+  type NewBody,
+  removeBody,
+  removeObstacle,
+  setParameter,
+  setStyle,
+  styleOf,
+  throwBody,
+} from "./core/edit.js";
 import { gallery } from "./core/gallery.js";
 import { History } from "./core/history.js";
-import { packedIn, unpackTake } from "./core/link.js";
+import { packedIn, packTake, unpackTake } from "./core/link.js";
 import { Player } from "./core/player.js";
-import { durationOf, kStepsPerSecond, readTake, type SceneObstacle, type SceneShape, type Take, type Triple } from "./core/take.js";
+import {
+  durationOf,
+  kStepsPerSecond,
+  readTake,
+  type SceneObstacle,
+  type SceneShape,
+  type Take,
+  type Triple,
+} from "./core/take.js";
 import { vet } from "./core/vet.js";
 import { Director, type Figures, type Overlay, type Show } from "./view/director.js";
 
 export type Panel = "scenes" | "tune" | "motion" | "things" | "keep";
 export type Tool = "throw" | "edit";
-export type Selection = { readonly kind: "body"; readonly name: string } | { readonly kind: "obstacle"; readonly index: number };
+export type Selection =
+  { readonly kind: "body"; readonly name: string } | { readonly kind: "obstacle"; readonly index: number };
 
 export interface Toast {
   readonly id: number;
@@ -95,13 +118,23 @@ export class Studio {
 
   /** Begins with the take of the address, or with the welcome. */
   async start(canvas: HTMLCanvasElement, capability: Capability): Promise<void> {
-    const show: Show = { time: 0, playing: false, speed: 1, loop: true, overlay: "none", spacing: false, selected: null,
-      obstacle: -1, pattern: this.pattern.value };
+    const show: Show = {
+      time: 0,
+      playing: false,
+      speed: 1,
+      loop: true,
+      overlay: "none",
+      spacing: false,
+      selected: null,
+      obstacle: -1,
+      pattern: this.pattern.value,
+    };
     this.director = new Director(canvas, capability, this.theme.value, show, {
-      onTime: (time, playing) => batch(() => {
-        this.time.value = time;
-        this.playing.value = playing;
-      }),
+      onTime: (time, playing) =>
+        batch(() => {
+          this.time.value = time;
+          this.playing.value = playing;
+        }),
       onKnown: () => {
         this.known.value += 1;
         this.tellRefusals();
@@ -123,7 +156,10 @@ export class Studio {
     let players: Player[];
     try {
       const before = this.players.value[0];
-      players = [before !== undefined && before.sharesUpTo(take) === Infinity ? before : new Player(take)];
+      if (before !== undefined && before.sharesUpTo(take) > 0) {
+        before.goOnAs(take);
+        players = [before];
+      } else players = [new Player(take)];
       if (this.other.value !== null) {
         players.push(new Player(setStyle(take, this.bodyIndex.peek(), this.other.value)));
       }
@@ -145,7 +181,28 @@ export class Studio {
     });
     this.refreshSelection();
     this.hash.value = "";
+    this.keepForNextTime();
     return true;
+  }
+
+  /** The last take is kept in the browser, so that closing the page loses nothing. */
+  private keepForNextTime(): void {
+    clearTimeout(this.keeping);
+    this.keeping = setTimeout(() => {
+      if (this.take.value.scene !== this.welcome) store("last", packTake(this.take.value));
+    }, 1500);
+  }
+  private keeping: ReturnType<typeof setTimeout> | undefined;
+  private readonly welcome = this.history.value.scene;
+  readonly hasLast = signal(stored("last") !== null);
+  async openLast(): Promise<void> {
+    const packed = stored("last");
+    if (packed === null) return;
+    try {
+      await this.openText(unpackTake(packed), "the last scene");
+    } catch (error) {
+      this.tell((error as Error).message, "error");
+    }
   }
 
   /** Changes the document. Ticks of one gesture are undone together. */
@@ -392,8 +449,17 @@ export class Studio {
     const step = this.playing.value || this.step > 0 ? this.step : 0;
     // The first free place above the middle of the picture.
     for (let up = 1; up < 12; ++up) {
-      const position: Triple = [Number(target.x.toFixed(2)), Number((target.y + up).toFixed(2)), Number(target.z.toFixed(2))];
-      const { take, name } = addBody(this.take.value, step, { ...body, position, ...(style !== undefined && { style }) }, names);
+      const position: Triple = [
+        Number(target.x.toFixed(2)),
+        Number((target.y + up).toFixed(2)),
+        Number(target.z.toFixed(2)),
+      ];
+      const { take, name } = addBody(
+        this.take.value,
+        step,
+        { ...body, position, ...(style !== undefined && { style }) },
+        names,
+      );
       try {
         const trial = new Player(take);
         trial.ensure(step + 1);
@@ -422,14 +488,18 @@ export class Studio {
     if (this.step === played.since) return this.change(changeBody(this.take.value, index, { position }), gesture);
     const { velocities } = this.players.value[0]!.motionOf(played.body, [this.director.show.time]);
     const { x, y, z } = velocities[0]!;
-    return this.change(throwBody(this.take.value, { kind: "throw", step: this.step, body: name, position,
-      velocity: [x, y, z] }), gesture);
+    return this.change(
+      throwBody(this.take.value, { kind: "throw", step: this.step, body: name, position, velocity: [x, y, z] }),
+      gesture,
+    );
   }
   removeSelected(): void {
     const selection = this.selection.value;
     if (selection === null) return;
-    const take = selection.kind === "obstacle" ? removeObstacle(this.take.value, selection.index)
-      : removeBody(this.take.value, this.bodyIndex.value, selection.name);
+    const take =
+      selection.kind === "obstacle"
+        ? removeObstacle(this.take.value, selection.index)
+        : removeBody(this.take.value, this.bodyIndex.value, selection.name);
     this.selection.value = null;
     this.change(take);
   }
@@ -444,13 +514,19 @@ export class Studio {
     const player = this.players.value[0]!;
     const time = this.director.show.time;
     const round = (value: number) => Number(value.toFixed(6));
-    const bodies = player.bodies.filter((played) => played.since <= this.step).map((played) => {
-      const { poses, velocities } = player.motionOf(played.body, [time]);
-      const [{ position }, velocity] = [poses[0]!, velocities[0]!];
-      const from_file = bodiesOf(this.take.value)[player.bodies.indexOf(played)]!;
-      return { ...from_file, name: played.name, position: [position.x, position.y, position.z].map(round) as unknown as Triple,
-        velocity: [velocity.x, velocity.y, velocity.z].map(round) as unknown as Triple };
-    });
+    const bodies = player.bodies
+      .filter((played) => played.since <= this.step)
+      .map((played) => {
+        const { poses, velocities } = player.motionOf(played.body, [time]);
+        const [{ position }, velocity] = [poses[0]!, velocities[0]!];
+        const from_file = bodiesOf(this.take.value)[player.bodies.indexOf(played)]!;
+        return {
+          ...from_file,
+          name: played.name,
+          position: [position.x, position.y, position.z].map(round) as unknown as Triple,
+          velocity: [velocity.x, velocity.y, velocity.z].map(round) as unknown as Triple,
+        };
+      });
     this.director.show.time = 0;
     this.change({ scene: { ...this.take.value.scene, bodies }, inputs: [] });
   }
@@ -487,4 +563,3 @@ export class Studio {
     }
   }
 }
-

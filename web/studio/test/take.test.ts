@@ -10,16 +10,21 @@ import { freshName, prettyJson, readTake, type SceneFile, type Take, takeText, w
 beforeAll(() => Elastoon.init());
 
 const scene: SceneFile = {
-  elastoon: 1, name: "A ball \"quoted\" <b>", duration: 4,
+  elastoon: 1,
+  name: 'A ball "quoted" <b>',
+  duration: 4,
   shapes: { ball: { type: "sphere", radius: 0.5 } },
   styles: { soft: { min_squash: 0.3 } },
   bodies: [{ name: "b", shape: "ball", style: "soft", position: [0, 3, 0], color: "#e4572e" }],
   obstacles: [{ type: "plane", normal: [0, 1, 0] }],
 };
-const take: Take = { scene, inputs: [
-  { kind: "throw", step: 30, body: "b", position: [0, 2, 0], velocity: [1, 2, 0] },
-  { kind: "arrival", step: 60, body: { name: "c", shape: "ball", position: [2, 3, 0] } },
-] };
+const take: Take = {
+  scene,
+  inputs: [
+    { kind: "throw", step: 30, body: "b", position: [0, 2, 0], velocity: [1, 2, 0] },
+    { kind: "arrival", step: 60, body: { name: "c", shape: "ball", position: [2, 3, 0] } },
+  ],
+};
 const base64url = (bytes: Uint8Array) => Buffer.from(bytes).toString("base64url");
 
 describe("files", () => {
@@ -45,7 +50,10 @@ describe("files", () => {
     [JSON.stringify({ take: 1, scene, inputs: [{ ...take.inputs[0], body: "nobody" }] }), /no body "nobody"/],
     [JSON.stringify({ take: 1, scene, inputs: [take.inputs[1], take.inputs[0]] }), /order/],
     [JSON.stringify({ take: 1, scene, inputs: [{ ...take.inputs[1], body: { name: "b", shape: "ball" } }] }), /taken/],
-    [JSON.stringify({ take: 1, scene, inputs: [{ ...take.inputs[1], body: { name: "c", shape: "x" } }] }), /come in.*shape/],
+    [
+      JSON.stringify({ take: 1, scene, inputs: [{ ...take.inputs[1], body: { name: "c", shape: "x" } }] }),
+      /come in.*shape/,
+    ],
     [JSON.stringify({ ...scene, duration: 1e5 }), /\/duration/],
     [JSON.stringify({ ...scene, bodies: new Array(limits.bodies + 1).fill({ shape: "ball" }) }), /\/bodies: there are/],
     [`"${"x".repeat(limits.text)}"`, /characters/],

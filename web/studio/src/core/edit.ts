@@ -1,23 +1,43 @@
 // Changes of a take, each of which makes a new one.
 import { styleNamed, type StyleName, styleNames, styleParameters, type StyleParameters } from "elastoon";
-import { durationOf, freshName, kStepsPerSecond, type SceneBody, type SceneObstacle, type SceneShape, type SceneStyle,
-  type Take, type TakeInput, type Triple, withInput } from "./take.js";
+import {
+  durationOf,
+  freshName,
+  kStepsPerSecond,
+  type SceneBody,
+  type SceneObstacle,
+  type SceneShape,
+  type SceneStyle,
+  type Take,
+  type TakeInput,
+  type Triple,
+  withInput,
+} from "./take.js";
 
 /** Colours of new bodies, in turn: the reader's own. */
 export const palette = ["#e4572e", "#1778a5", "#f2af29", "#2a9d7c", "#9658a6", "#d64976"] as const;
 
-/** All bodies of the take, those that come in later too. Unnamed ones of the scene have the names that the reader gives. */
+/** All bodies of the take, those that come in later too. Unnamed ones of the scene have the names that the reader
+ *  gives. */
 export function bodiesOf(take: Take): readonly SceneBody[] {
-  return [...(take.scene.bodies ?? []),
-    ...take.inputs.filter((input) => input.kind === "arrival").map((input) => input.body)];
+  return [
+    ...(take.scene.bodies ?? []),
+    ...take.inputs.filter((input) => input.kind === "arrival").map((input) => input.body),
+  ];
 }
 
 const isNamed = (name: string): name is StyleName => (styleNames as readonly string[]).includes(name);
 const shortened = (value: number | string) => (typeof value === "number" ? Number(value.toPrecision(10)) : value);
 
 export function defaultStyle(): StyleParameters {
-  const rows = styleParameters.map((row) => [row.name, row.choices.length > 0 ? row.choices[row.default_value]
-    : row.may_be_derived ? "auto" : shortened(row.default_value)]);
+  const rows = styleParameters.map((row) => [
+    row.name,
+    row.choices.length > 0
+      ? row.choices[row.default_value]
+      : row.may_be_derived
+        ? "auto"
+        : shortened(row.default_value),
+  ]);
   return Object.fromEntries(rows) as unknown as StyleParameters;
 }
 
@@ -33,7 +53,9 @@ export function styleOf(take: Take, name: string | undefined): StyleParameters {
 /** The style with only what differs from the default: as a file has it. */
 export function briefStyle(style: StyleParameters): SceneStyle {
   const usual = defaultStyle();
-  return Object.fromEntries(Object.entries(style).filter(([key, value]) => usual[key as keyof StyleParameters] !== value));
+  return Object.fromEntries(
+    Object.entries(style).filter(([key, value]) => usual[key as keyof StyleParameters] !== value),
+  );
 }
 
 function withBodies(take: Take, change: (body: SceneBody, index: number) => SceneBody): Take {
@@ -41,8 +63,11 @@ function withBodies(take: Take, change: (body: SceneBody, index: number) => Scen
   let arrived = 0;
   return {
     scene: { ...take.scene, ...(take.scene.bodies && { bodies: take.scene.bodies.map(change) }) },
-    inputs: take.inputs.map((input) => (input.kind === "arrival"
-      ? { ...input, body: { ...change(input.body, count + arrived++), name: input.body.name } } : input)),
+    inputs: take.inputs.map((input) =>
+      input.kind === "arrival"
+        ? { ...input, body: { ...change(input.body, count + arrived++), name: input.body.name } }
+        : input,
+    ),
   };
 }
 
@@ -58,7 +83,10 @@ export function setStyle(take: Take, index: number, style: StyleParameters): Tak
     return { ...take, scene: { ...take.scene, styles: { ...take.scene.styles, [name]: briefStyle(style) } } };
   }
   const fresh = freshName([...Object.keys(take.scene.styles ?? {}), ...styleNames], "my style");
-  const with_style = { ...take, scene: { ...take.scene, styles: { ...take.scene.styles, [fresh]: briefStyle(style) } } };
+  const with_style = {
+    ...take,
+    scene: { ...take.scene, styles: { ...take.scene.styles, [fresh]: briefStyle(style) } },
+  };
   return assignStyle(with_style, new Set([index]), fresh);
 }
 export function setParameter(take: Take, index: number, key: keyof StyleParameters, value: number | string): Take {
@@ -93,11 +121,22 @@ export interface NewBody {
 }
 
 /** Adds a body at a step: at the start it belongs to the scene, later it comes in. `names`: all that are taken. */
-export function addBody(take: Take, step: number, body: NewBody, names: Iterable<string>): { take: Take; name: string } {
+export function addBody(
+  take: Take,
+  step: number,
+  body: NewBody,
+  names: Iterable<string>,
+): { take: Take; name: string } {
   const [with_shape, shape] = withShape(take, body.shape);
   const name = freshName(names, body.name ?? shape.replace(/ \d+$/, ""));
-  const made: SceneBody & { name: string } = { name, shape, style: body.style ?? "rubber-ball", position: body.position,
-    ...(body.velocity && { velocity: body.velocity }), color: palette[bodiesOf(take).length % palette.length]! };
+  const made: SceneBody & { name: string } = {
+    name,
+    shape,
+    style: body.style ?? "rubber-ball",
+    position: body.position,
+    ...(body.velocity && { velocity: body.velocity }),
+    color: palette[bodiesOf(take).length % palette.length]!,
+  };
   if (step === 0) {
     const bodies = [...(with_shape.scene.bodies ?? []), made];
     return { take: { ...with_shape, scene: { ...with_shape.scene, bodies } }, name };
@@ -111,7 +150,9 @@ export function addObstacle(take: Take, obstacle: SceneObstacle, shape?: SceneSh
   return { ...with_shape, scene: { ...with_shape.scene, obstacles: [...(take.scene.obstacles ?? []), made] } };
 }
 export function changeObstacle(take: Take, index: number, change: Partial<SceneObstacle>): Take {
-  const obstacles = (take.scene.obstacles ?? []).map((obstacle, i) => (i === index ? { ...obstacle, ...change } : obstacle));
+  const obstacles = (take.scene.obstacles ?? []).map((obstacle, i) =>
+    i === index ? { ...obstacle, ...change } : obstacle,
+  );
   return { ...take, scene: { ...take.scene, obstacles } };
 }
 export function removeObstacle(take: Take, index: number): Take {
@@ -123,8 +164,9 @@ export function removeObstacle(take: Take, index: number): Take {
 export function removeBody(take: Take, index: number, name: string): Take {
   const count = take.scene.bodies?.length ?? 0;
   const bodies = take.scene.bodies?.filter((_, i) => i !== index);
-  const inputs = take.inputs.filter((input) => (input.kind === "throw" ? input.body !== name
-    : index < count || input.body.name !== name));
+  const inputs = take.inputs.filter((input) =>
+    input.kind === "throw" ? input.body !== name : index < count || input.body.name !== name,
+  );
   return { scene: { ...take.scene, ...(bodies && { bodies }) }, inputs };
 }
 

@@ -17,7 +17,8 @@ export function unpackTake(packed: string): string {
   if (packed.length > limits.link) {
     throw new InputError(`the link has ${packed.length} characters; the studio takes ${limits.link}`);
   }
-  if (!/^[\w-]+$/.test(packed)) throw new InputError("the link is damaged: it has letters that no link of this page has");
+  if (!/^[\w-]+$/.test(packed))
+    throw new InputError("the link is damaged: it has letters that no link of this page has");
   let bytes: Uint8Array;
   try {
     bytes = Uint8Array.from(atob(packed.replace(/-/g, "+").replace(/_/g, "/")), (letter) => letter.charCodeAt(0));

@@ -1,6 +1,15 @@
 // Plays a take: steps its world, keeps all that happened, and goes to any step again, to the bit.
-import { type Body, BodyDesc, type ElastoonEvent, Scene, type Shape, Timeline, type Vector, type World } from "elastoon";
-import { arrivalsScene, kStepsPerSecond, type Take, type TakeInput, type Triple } from "./take.js";
+import {
+  type Body,
+  BodyDesc,
+  type ElastoonEvent,
+  Scene,
+  type Shape,
+  Timeline,
+  type Vector,
+  type World,
+} from "elastoon";
+import { arrivalsScene, kStepsPerSecond, type SceneFile, type Take, type TakeInput, type Triple } from "./take.js";
 
 /** Steps between two snapshots. */
 const kSnapshotEvery = 30;
@@ -31,8 +40,11 @@ function dressed(take: Take): Map<string, { desc: BodyDesc; color: number }> {
   for (const body of world.bodies()) {
     const velocity = body.linvel();
     const position = body.translation();
-    const desc = new BodyDesc(body.shape).setStyle(body.style()).setName(body.name)
-      .setTranslation(position.x, position.y, position.z).setLinvel(velocity.x, velocity.y, velocity.z);
+    const desc = new BodyDesc(body.shape)
+      .setStyle(body.style())
+      .setName(body.name)
+      .setTranslation(position.x, position.y, position.z)
+      .setLinvel(velocity.x, velocity.y, velocity.z);
     made.set(body.name, { desc, color: hexOf(body.color) });
   }
   world.dispose();
@@ -49,7 +61,8 @@ export class Player {
   private readonly timeline: Timeline;
   private readonly snapshots = new Map<number, Uint8Array>();
   private readonly names = new Map<string, Body>();
-  private readonly arrivals: Map<string, { desc: BodyDesc; color: number }>;
+  private present: Take;
+  private arrivals: Map<string, { desc: BodyDesc; color: number }>;
   private snapshotEvery = kSnapshotEvery;
   private snapshotBytes = 0;
   /** Steps that the world has made. */
@@ -58,7 +71,9 @@ export class Player {
   private knownAt = -1;
 
   /** Throws what the reader refuses. */
-  constructor(readonly take: Take) {
+  constructor(taken: Take) {
+    this.present = taken;
+    const { take } = this;
     this.scene = Scene.parse(take.scene);
     this.world = this.scene.stage();
     this.arrivals = dressed(take);
@@ -70,6 +85,9 @@ export class Player {
     this.keepSnapshot();
   }
 
+  get take(): Take {
+    return this.present;
+  }
   /** Steps that are known: any time up to there can be shown. */
   get recorded(): number {
     return this.timeline.captures;
@@ -196,13 +214,34 @@ export class Player {
     return new Set(this.bodies.map(({ body }) => body.shape));
   }
 
-  /** Whether this player's known motion holds for that take up to a step: it only differs in later inputs. */
+  /** Step up to which what is known holds for that take too; infinity where it is the same motion. */
   sharesUpTo(take: Take): number {
-    if (take.scene !== this.take.scene) return 0;
+    const moves: (keyof SceneFile)[] = ["gravity", "shapes", "styles", "bodies", "obstacles"];
+    if (moves.some((key) => take.scene[key] !== this.take.scene[key])) return 0;
     const differs = take.inputs.findIndex((input, i) => input !== this.take.inputs[i]);
-    if (differs === -1) return take.inputs.length === this.take.inputs.length ? Infinity
-      : (this.take.inputs[take.inputs.length]?.step ?? 0);
+    if (differs === -1) {
+      return take.inputs.length === this.take.inputs.length ? Infinity : this.take.inputs[take.inputs.length]!.step;
+    }
     return Math.min(take.inputs[differs]!.step, this.take.inputs[differs]?.step ?? Infinity);
+  }
+
+  /** Goes on as that take: keeps what is known up to `sharesUpTo`, and forgets the rest. */
+  goOnAs(take: Take): void {
+    const shared = Math.min(this.sharesUpTo(take), this.recorded);
+    this.arrivals = dressed(take);
+    this.goTo(shared);
+    this.present = take;
+    this.timeline.cut(shared);
+    for (const [step, bytes] of this.snapshots) {
+      if (step <= shared) continue;
+      this.snapshots.delete(step);
+      this.snapshotBytes -= bytes.length;
+    }
+    const here = this.bodies.filter(({ since }) => since < shared || since === 0);
+    this.bodies.splice(0, this.bodies.length, ...here);
+    this.known = this.timeline.events();
+    this.knownAt = shared;
+    this.refused.length = 0;
   }
 
   dispose(): void {

@@ -1,4 +1,5 @@
-// A take: a scene file and what was done to it while it played. The studio's document; immutable, every change makes a new one.
+// A take: a scene file and what was done to it while it played. The studio's document; immutable, every change makes
+// a new one.
 import { Scene } from "elastoon";
 import { InputError, limits } from "./limits.js";
 
@@ -130,8 +131,13 @@ function readInput(value: unknown, index: number, last_step: number): TakeInput 
   if (kind === "throw") {
     allow("kind", "step", "body", "position", "velocity");
     if (typeof value["body"] !== "string") throw new InputError(`${where}/body: must be a body's name`);
-    return { kind, step, body: value["body"], position: triple(value["position"], `${where}/position`, 1e6),
-      velocity: triple(value["velocity"], `${where}/velocity`, 1e5) };
+    return {
+      kind,
+      step,
+      body: value["body"],
+      position: triple(value["position"], `${where}/position`, 1e6),
+      velocity: triple(value["velocity"], `${where}/velocity`, 1e5),
+    };
   }
   if (kind === "arrival") {
     allow("kind", "step", "body");
@@ -143,7 +149,8 @@ function readInput(value: unknown, index: number, last_step: number): TakeInput 
   throw new InputError(`${where}/kind: must be "throw" or "arrival"`);
 }
 
-/** The bodies that come in later, as a scene of their own without obstacles: for the library's reader, and to be dressed. */
+/** The bodies that come in later, as a scene of their own without obstacles: for the library's reader, and to be
+ *  dressed. */
 export function arrivalsScene(take: Take): SceneFile {
   const bodies = take.inputs.filter((input) => input.kind === "arrival").map((input) => input.body);
   const { shapes, styles } = take.scene;
@@ -207,7 +214,9 @@ export function prettyJson(value: unknown, indent = ""): string {
   if (Array.isArray(value)) {
     return `[\n${value.map((item) => deeper + prettyJson(item, deeper)).join(",\n")}\n${indent}]`;
   }
-  const rows = Object.entries(value).map(([key, item]) => `${deeper}${JSON.stringify(key)}: ${prettyJson(item, deeper)}`);
+  const rows = Object.entries(value).map(
+    ([key, item]) => `${deeper}${JSON.stringify(key)}: ${prettyJson(item, deeper)}`,
+  );
   return `{\n${rows.join(",\n")}\n${indent}}`;
 }
 
@@ -216,14 +225,18 @@ export function sceneText(scene: SceneFile): string {
 }
 /** The shortest file that holds all: a scene where nothing was done to it. */
 export function takeText(take: Take): string {
-  return take.inputs.length === 0 ? sceneText(take.scene)
+  return take.inputs.length === 0
+    ? sceneText(take.scene)
     : `${prettyJson({ take: 1, scene: take.scene, inputs: take.inputs })}\n`;
 }
 
 /** With an input more. What came after it does not hold any more: the motion goes another way. */
 export function withInput(take: Take, input: TakeInput): Take {
-  const kept = take.inputs.filter((other) => other.step < input.step ||
-    (other.step === input.step && !(other.kind === "throw" && input.kind === "throw" && other.body === input.body)));
+  const kept = take.inputs.filter(
+    (other) =>
+      other.step < input.step ||
+      (other.step === input.step && !(other.kind === "throw" && input.kind === "throw" && other.body === input.body)),
+  );
   return { ...take, inputs: [...kept, input] };
 }
 export function durationOf(take: Take): number {

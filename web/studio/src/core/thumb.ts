@@ -1,5 +1,5 @@
-// Small pictures of takes as outlines: a strobe of what moves, seen from the scene's camera. Sharp at any size, in the theme's
-// colours.
+// Small pictures of takes as outlines: a strobe of what moves, seen from the scene's camera. Sharp at any size, in the
+// theme's colours.
 import { PerspectiveCamera, Vector3 } from "three";
 import type { Shape } from "elastoon";
 import { Player } from "./player.js";
@@ -85,7 +85,9 @@ export function thumbOf(take: Take, options: ThumbOptions): Thumb {
       const seen = place(point.set(list[i]!, list[i + 1]!, list[i + 2]!)).project(camera);
       points.push([(0.5 + seen.x / 2) * width, (0.5 - seen.y / 2) * height]);
     }
-    return `M${hullOf(points).map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}Z`;
+    return `M${hullOf(points)
+      .map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`)
+      .join("L")}Z`;
   };
   const outlines: Outline[] = [];
   let floor: number | null = null;
@@ -96,22 +98,38 @@ export function thumbOf(take: Take, options: ThumbOptions): Thumb {
       if (normal.y > 0.99) floor = (0.5 - new Vector3(0, position.y, 0).project(camera).y / 2) * height;
       return;
     }
-    outlines.push({ color: "", opacity: 1, d: project(obstacle.shape, (point) => point.applyQuaternion(rotation as never)
-      .add(position as Vector3)) });
+    outlines.push({
+      color: "",
+      opacity: 1,
+      d: project(obstacle.shape, (point) => point.applyQuaternion(rotation as never).add(position as Vector3)),
+    });
   });
-  const times = Array.from({ length: Math.max(Math.floor(end / options.every), 1) + 1 }, (_, i) => Math.min(i * options.every, end));
+  const times = Array.from({ length: Math.max(Math.floor(end / options.every), 1) + 1 }, (_, i) =>
+    Math.min(i * options.every, end),
+  );
   const every = Math.max(Math.ceil((times.length * bodies.length) / kMostOutlines), 1);
-  times.filter((_, i) => i % every === 0).forEach((time, i, all) => {
-    const matrices = player.matricesAt(time).slice();
-    for (const { body, color } of bodies) {
-      const at = 12 * body.index;
-      if (matrices[at + 3] === undefined || (matrices[at] === 0 && matrices[at + 1] === 0 && matrices[at + 2] === 0)) continue;
-      const m = (k: number) => matrices[at + k]!;
-      outlines.push({ color: `#${color.toString(16).padStart(6, "0")}`, opacity: 0.35 + (0.65 * (i + 1)) / all.length,
-        d: project(body.shape, (p) => p.set(m(0) * p.x + m(3) * p.y + m(6) * p.z + m(9), m(1) * p.x + m(4) * p.y + m(7) * p.z + m(10),
-          m(2) * p.x + m(5) * p.y + m(8) * p.z + m(11))) });
-    }
-  });
+  times
+    .filter((_, i) => i % every === 0)
+    .forEach((time, i, all) => {
+      const matrices = player.matricesAt(time).slice();
+      for (const { body, color } of bodies) {
+        const at = 12 * body.index;
+        if (matrices[at + 3] === undefined || (matrices[at] === 0 && matrices[at + 1] === 0 && matrices[at + 2] === 0))
+          continue;
+        const m = (k: number) => matrices[at + k]!;
+        outlines.push({
+          color: `#${color.toString(16).padStart(6, "0")}`,
+          opacity: 0.35 + (0.65 * (i + 1)) / all.length,
+          d: project(body.shape, (p) =>
+            p.set(
+              m(0) * p.x + m(3) * p.y + m(6) * p.z + m(9),
+              m(1) * p.x + m(4) * p.y + m(7) * p.z + m(10),
+              m(2) * p.x + m(5) * p.y + m(8) * p.z + m(11),
+            ),
+          ),
+        });
+      }
+    });
   player.dispose();
   return { width, height, outlines, floor };
 }

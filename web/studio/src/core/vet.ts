@@ -20,8 +20,13 @@ export function vet(text: string, what: string): Promise<void> {
     };
     const watch = setInterval(() => {
       if (performance.now() - heard > kPatience) {
-        end(() => reject(new InputError(`${what}: working out how it moves takes too long; use fewer or slower bodies, or ` +
-          "softer styles")));
+        end(() =>
+          reject(
+            new InputError(
+              `${what}: working out how it moves takes too long; use fewer or slower bodies, or ` + "softer styles",
+            ),
+          ),
+        );
       }
     }, 250);
     worker.onmessage = (event: MessageEvent<{ kind: string; message?: string }>) => {

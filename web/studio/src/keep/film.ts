@@ -1,8 +1,15 @@
 // Films and pictures, frame by frame at exact times: WebCodecs where the browser has it, else a zip of PNGs.
 import type { Director, Overlay } from "../view/director.js";
 import { zipSync } from "fflate";
-import { BufferTarget, CanvasSource, getFirstEncodableVideoCodec, Mp4OutputFormat, Output, QUALITY_HIGH, WebMOutputFormat } from
-  "mediabunny";
+import {
+  BufferTarget,
+  CanvasSource,
+  getFirstEncodableVideoCodec,
+  Mp4OutputFormat,
+  Output,
+  QUALITY_HIGH,
+  WebMOutputFormat,
+} from "mediabunny";
 
 export interface FilmOptions {
   readonly width: number;
@@ -25,8 +32,12 @@ export interface Film {
 const pause = () => new Promise((resolve) => setTimeout(resolve, 0));
 
 function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
-  return new Promise((resolve, reject) => canvas.toBlob((blob) =>
-    (blob === null ? reject(new Error("the browser made no picture")) : resolve(blob)), "image/png"));
+  return new Promise((resolve, reject) =>
+    canvas.toBlob(
+      (blob) => (blob === null ? reject(new Error("the browser made no picture")) : resolve(blob)),
+      "image/png",
+    ),
+  );
 }
 
 /** A copy of what was drawn, before the next frame takes its place. */
@@ -38,7 +49,13 @@ function copyOf(canvas: HTMLCanvasElement, width: number, height: number): HTMLC
   return copy;
 }
 
-export async function stillOf(director: Director, width: number, height: number, time: number, overlay: Overlay): Promise<Blob> {
+export async function stillOf(
+  director: Director,
+  width: number,
+  height: number,
+  time: number,
+  overlay: Overlay,
+): Promise<Blob> {
   let copy: HTMLCanvasElement | undefined;
   director.picture(width, height, time, overlay, (canvas) => (copy = copyOf(canvas, width, height)));
   return pngOf(copy!);
@@ -52,8 +69,9 @@ async function* frames(director: Director, options: FilmOptions): AsyncGenerator
   const pen = canvas.getContext("2d")!;
   for (let i = 0; i < count; ++i) {
     options.signal.throwIfAborted();
-    director.picture(options.width, options.height, options.from + i / options.rate, options.overlay,
-      (drawn) => pen.drawImage(drawn, 0, 0, options.width, options.height));
+    director.picture(options.width, options.height, options.from + i / options.rate, options.overlay, (drawn) =>
+      pen.drawImage(drawn, 0, 0, options.width, options.height),
+    );
     yield [canvas, i];
     options.onProgress((i + 1) / count);
     await pause();

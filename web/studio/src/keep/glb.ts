@@ -1,7 +1,19 @@
-// The take as an animated .glb: every body a node whose position, turn and scale are keyed. Opened by Blender, three.js, engines.
+// The take as an animated .glb: every body a node whose position, turn and scale are keyed. Opened by Blender,
+// three.js, engines.
 import { displayGeometry } from "stage";
-import { AnimationClip, Color, Group, Mesh, MeshStandardMaterial, type Object3D, PlaneGeometry, Quaternion, QuaternionKeyframeTrack, Vector3,
-  VectorKeyframeTrack } from "three";
+import {
+  AnimationClip,
+  Color,
+  Group,
+  Mesh,
+  MeshStandardMaterial,
+  type Object3D,
+  PlaneGeometry,
+  Quaternion,
+  QuaternionKeyframeTrack,
+  Vector3,
+  VectorKeyframeTrack,
+} from "three";
 import { GLTFExporter } from "three/examples/jsm/exporters/GLTFExporter.js";
 import type { Player } from "../core/player.js";
 import { durationOf, kStepsPerSecond } from "../core/take.js";
@@ -22,19 +34,27 @@ export async function glbOf(player: Player, meshes: ReadonlyMap<string, Object3D
   const root = new Group();
   root.name = player.scene.name || "take";
   const tracks: (VectorKeyframeTrack | QuaternionKeyframeTrack)[] = [];
-  const all = [...(player.take.scene.bodies ?? []), ...player.take.inputs.flatMap((input) =>
-    (input.kind === "arrival" ? [input.body] : []))];
+  const all = [
+    ...(player.take.scene.bodies ?? []),
+    ...player.take.inputs.flatMap((input) => (input.kind === "arrival" ? [input.body] : [])),
+  ];
   player.bodies.forEach((played, i) => {
     const material = new MeshStandardMaterial({ color: new Color(played.color), roughness: 0.5 });
     const template = meshes.get(all[i]?.shape ?? "");
-    const node = template === undefined ? new Mesh(displayGeometry(played.body.shape), material) : new Group().add(template.clone());
+    const node =
+      template === undefined
+        ? new Mesh(displayGeometry(played.body.shape), material)
+        : new Group().add(template.clone());
     // Track names know no dots.
     node.name = `${played.name.replace(/[^\w -]/g, "_")}_${i + 1}`;
     root.add(node);
     const { poses } = player.motionOf(played.body, times);
     const positions = poses.flatMap(({ position: { x, y, z } }) => [x, y, z]);
-    const scales = poses.flatMap(({ stretch }, k) => (times[k]! * kStepsPerSecond < played.since ? [0, 0, 0]
-      : [stretch, 1 / Math.sqrt(stretch), 1 / Math.sqrt(stretch)]));
+    const scales = poses.flatMap(({ stretch }, k) =>
+      times[k]! * kStepsPerSecond < played.since
+        ? [0, 0, 0]
+        : [stretch, 1 / Math.sqrt(stretch), 1 / Math.sqrt(stretch)],
+    );
     const last = new Quaternion();
     const turns = poses.flatMap(({ rotation: { x, y, z, w } }, k) => {
       const turn = new Quaternion(x, y, z, w);
@@ -46,24 +66,44 @@ export async function glbOf(player: Player, meshes: ReadonlyMap<string, Object3D
     node.position.fromArray(positions);
     node.quaternion.fromArray(turns);
     node.scale.fromArray(scales.slice(0, 3));
-    tracks.push(new VectorKeyframeTrack(`${node.name}.position`, times, positions),
-      new QuaternionKeyframeTrack(`${node.name}.quaternion`, times, turns), new VectorKeyframeTrack(`${node.name}.scale`, times, scales));
+    tracks.push(
+      new VectorKeyframeTrack(`${node.name}.position`, times, positions),
+      new QuaternionKeyframeTrack(`${node.name}.quaternion`, times, turns),
+      new VectorKeyframeTrack(`${node.name}.scale`, times, scales),
+    );
   });
   player.world.obstacles().forEach((obstacle, i) => {
     const from_file = player.take.scene.obstacles?.[i];
     const frame = player.scene.obstacleFrame(i, 0);
     const material = new MeshStandardMaterial({ color: from_file?.color ?? "#b8b2a8", roughness: 0.9 });
-    const node = new Mesh(obstacle.shape === null ? new PlaneGeometry(40, 40) : displayGeometry(obstacle.shape), material);
+    const node = new Mesh(
+      obstacle.shape === null ? new PlaneGeometry(40, 40) : displayGeometry(obstacle.shape),
+      material,
+    );
     node.name = `${(from_file?.name ?? "obstacle").replace(/[^\w -]/g, "_")}_obstacle_${i + 1}`;
     node.position.copy(frame.position as Vector3);
     node.quaternion.set(frame.rotation.x, frame.rotation.y, frame.rotation.z, frame.rotation.w);
     if (obstacle.shape === null) {
       const { x, y, z } = obstacle.planeNormal();
       node.quaternion.multiply(new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(x, y, z)));
-    } else if (from_file?.path !== undefined || from_file?.velocity !== undefined || from_file?.angular_velocity !== undefined) {
+    } else if (
+      from_file?.path !== undefined ||
+      from_file?.velocity !== undefined ||
+      from_file?.angular_velocity !== undefined
+    ) {
       const frames = times.map((time) => player.scene.obstacleFrame(i, time));
-      tracks.push(new VectorKeyframeTrack(`${node.name}.position`, times, frames.flatMap(({ position: { x, y, z } }) => [x, y, z])),
-        new QuaternionKeyframeTrack(`${node.name}.quaternion`, times, frames.flatMap(({ rotation: { x, y, z, w } }) => [x, y, z, w])));
+      tracks.push(
+        new VectorKeyframeTrack(
+          `${node.name}.position`,
+          times,
+          frames.flatMap(({ position: { x, y, z } }) => [x, y, z]),
+        ),
+        new QuaternionKeyframeTrack(
+          `${node.name}.quaternion`,
+          times,
+          frames.flatMap(({ rotation: { x, y, z, w } }) => [x, y, z, w]),
+        ),
+      );
     }
     root.add(node);
   });

@@ -74,7 +74,8 @@ export async function readMesh(bytes: Uint8Array, ending: string, file: string):
   const largest = Math.max(size.x, size.y, size.z);
   if (!(largest > 0)) throw new InputError("all of its points are in one place");
   const scale = largest < kSmallest || largest > kLargest ? 1 / largest : 1;
-  // A body's axis is x, and lies along its way: what is below in the mesh leads when it falls, and it stands when it rests.
+  // A body's axis is x, and lies along its way: what is below in the mesh leads when it falls, and it stands when it
+  // rests.
   const turn = new Quaternion().setFromUnitVectors(new Vector3(0, -1, 0), new Vector3(1, 0, 0));
   const point = new Vector3();
   for (let i = 0; i < points.length; i += 3) {
@@ -98,9 +99,15 @@ export async function readMesh(bytes: Uint8Array, ending: string, file: string):
   object.traverse((node) => {
     node.castShadow = node.receiveShadow = true;
   });
-  const list = Array.from({ length: vertices.length / 3 }, (_, i) => [0, 1, 2].map((k) => Number(vertices[3 * i + k]!.toFixed(5))));
+  const list = Array.from({ length: vertices.length / 3 }, (_, i) =>
+    [0, 1, 2].map((k) => Number(vertices[3 * i + k]!.toFixed(5))),
+  );
   const name = file.replace(/\.\w+$/, "").slice(0, 40) || "mesh";
   const scaled = scale === 1 ? "" : ` It was ${largest.toPrecision(3)} m large and is 1 m now.`;
-  return { name, object, shape: { type: "hull", points: list },
-    note: `${name}: its hull of ${list.length} points collides, the mesh is drawn.${scaled}` };
+  return {
+    name,
+    object,
+    shape: { type: "hull", points: list },
+    note: `${name}: its hull of ${list.length} points collides, the mesh is drawn.${scaled}`,
+  };
 }

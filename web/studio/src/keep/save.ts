@@ -13,6 +13,10 @@ export function save(data: Blob | Uint8Array | string, name: string, type: strin
 
 /** A file name of the take's title. */
 export function fileStem(title: string | undefined): string {
-  const stem = (title ?? "").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-+|-+$/g, "").slice(0, 48);
+  const stem = (title ?? "")
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .replace(/^-+|-+$/g, "")
+    .slice(0, 48);
   return stem === "" ? "elastoon" : stem;
 }

@@ -52,7 +52,12 @@ export function useWidth(): [preact.RefObject<HTMLDivElement>, number] {
 
 export function Chart(props: ChartProps) {
   const [ref, width] = useWidth();
-  const { range: [low, high], from, to, height } = props;
+  const {
+    range: [low, high],
+    from,
+    to,
+    height,
+  } = props;
   const inner = { width: width - margin.left - margin.right, height: height - margin.top - margin.bottom };
   const px = (x: number) => margin.left + ((x - from) / Math.max(to - from, 1e-9)) * inner.width;
   const py = (y: number) => margin.top + (1 - (y - low) / Math.max(high - low, 1e-9)) * inner.height;
@@ -63,27 +68,69 @@ export function Chart(props: ChartProps) {
   };
   return (
     <div ref={ref} class="chart">
-      <svg width={width} height={height} role="img" aria-label={props.label} onClick={pick}
-        class={props.onPick === undefined ? "" : "pickable"}>
+      <svg
+        width={width}
+        height={height}
+        role="img"
+        aria-label={props.label}
+        onClick={pick}
+        class={props.onPick === undefined ? "" : "pickable"}
+      >
         {ticks(low, high, height > 130 ? 5 : 3).map((y) => (
-          <g key={y}><line class="grid" x1={margin.left} x2={width - margin.right} y1={py(y)} y2={py(y)} />
-            <text class="tick" x={margin.left - 6} y={py(y) + 3.5} text-anchor="end">{tickText(y)}</text></g>))}
+          <g key={y}>
+            <line class="grid" x1={margin.left} x2={width - margin.right} y1={py(y)} y2={py(y)} />
+            <text class="tick" x={margin.left - 6} y={py(y) + 3.5} text-anchor="end">
+              {tickText(y)}
+            </text>
+          </g>
+        ))}
         {ticks(from, to, Math.max(Math.floor(inner.width / 60), 2)).map((x, i, all) => (
           <text key={x} class="tick" x={Math.min(px(x), width - 12)} y={height - 7} text-anchor="middle">
-            {tickText(x)}{i === all.length - 1 ? ` ${props.xUnit ?? ""}` : ""}</text>))}
+            {tickText(x)}
+            {i === all.length - 1 ? ` ${props.xUnit ?? ""}` : ""}
+          </text>
+        ))}
         {props.marks?.map((mark, i) => (
-          <g key={`${mark.x} ${i}`}><line class="mark" x1={px(mark.x)} x2={px(mark.x)} y1={margin.top} y2={height - margin.bottom} />
-            {mark.text === undefined ? null : <text class="mark-text" x={px(mark.x) + 4}
-              y={height - margin.bottom - 5}>{mark.text}</text>}</g>))}
+          <g key={`${mark.x} ${i}`}>
+            <line class="mark" x1={px(mark.x)} x2={px(mark.x)} y1={margin.top} y2={height - margin.bottom} />
+            {mark.text === undefined ? null : (
+              <text class="mark-text" x={px(mark.x) + 4} y={height - margin.bottom - 5}>
+                {mark.text}
+              </text>
+            )}
+          </g>
+        ))}
         {props.levels?.map((level) => (
-          <g key={level.text}><line class="level" x1={margin.left} x2={width - margin.right} y1={py(level.y)} y2={py(level.y)} />
-            <text class="mark-text" x={level.side === "left" ? margin.left + 2 : width - margin.right - 2} y={py(level.y) - 4}
-              text-anchor={level.side === "left" ? "start" : "end"}>{level.text}</text></g>))}
+          <g key={level.text}>
+            <line class="level" x1={margin.left} x2={width - margin.right} y1={py(level.y)} y2={py(level.y)} />
+            <text
+              class="mark-text"
+              x={level.side === "left" ? margin.left + 2 : width - margin.right - 2}
+              y={py(level.y) - 4}
+              text-anchor={level.side === "left" ? "start" : "end"}
+            >
+              {level.text}
+            </text>
+          </g>
+        ))}
         {props.lines.map((line, i) => (
-          <path key={i} class={`line tone-${line.tone}`}
-            d={line.x.map((x, j) => `${j === 0 ? "M" : "L"}${px(x).toFixed(1)} ${py(line.y[j] ?? 0).toFixed(1)}`).join("")} />))}
-        {props.cursor === undefined ? null
-          : <line class="cursor" x1={px(props.cursor)} x2={px(props.cursor)} y1={margin.top} y2={height - margin.bottom} />}
+          <path
+            key={i}
+            class={`line tone-${line.tone}`}
+            d={line.x
+              .map((x, j) => `${j === 0 ? "M" : "L"}${px(x).toFixed(1)} ${py(line.y[j] ?? 0).toFixed(1)}`)
+              .join("")}
+          />
+        ))}
+        {props.cursor === undefined ? null : (
+          <line
+            class="cursor"
+            x1={px(props.cursor)}
+            x2={px(props.cursor)}
+            y1={margin.top}
+            y2={height - margin.bottom}
+          />
+        )}
         {props.dot === undefined ? null : <circle class="dot" cx={px(props.dot.x)} cy={py(props.dot.y)} r="4.5" />}
       </svg>
     </div>

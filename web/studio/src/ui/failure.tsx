@@ -7,7 +7,9 @@ export function Failure({ title, text }: { title: string; text: string }) {
       <TriangleAlert aria-hidden="true" />
       <h1>{title}</h1>
       <p>{text}</p>
-      <button class="button primary" type="button" onClick={() => location.reload()}>Try again</button>
+      <button class="button primary" type="button" onClick={() => location.reload()}>
+        Try again
+      </button>
     </main>
   );
 }

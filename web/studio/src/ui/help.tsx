@@ -21,19 +21,50 @@ export function Help({ studio }: { studio: Studio }) {
     else dialog.current?.close();
   }, [open]);
   return (
-    <dialog ref={dialog} class="sheet" aria-labelledby="help-title" onClose={() => (studio.help.value = false)}
-      onClick={(event) => { if (event.target === dialog.current) studio.help.value = false; }}>
-      <header><h2 id="help-title">How it goes</h2>
-        <IconButton icon={X} label="Close" onClick={() => (studio.help.value = false)} /></header>
+    <dialog
+      ref={dialog}
+      class="sheet"
+      aria-labelledby="help-title"
+      onClose={() => (studio.help.value = false)}
+      onClick={(event) => {
+        if (event.target === dialog.current) studio.help.value = false;
+      }}
+    >
+      <header>
+        <h2 id="help-title">How it goes</h2>
+        <IconButton icon={X} label="Close" onClick={() => (studio.help.value = false)} />
+      </header>
       <div class="sheet-columns">
-        <section><h3>Mouse and fingers</h3>
-          <dl>{gestures.map(([what, does]) => <div key={what}><dt>{what}</dt><dd>{does}</dd></div>)}</dl></section>
-        <section><h3>Keys</h3>
-          <dl>{bindings.map(({ shown, text }) => <div key={shown}><dt><kbd>{shown}</kbd></dt><dd>{text}</dd></div>)}</dl></section>
+        <section>
+          <h3>Mouse and fingers</h3>
+          <dl>
+            {gestures.map(([what, does]) => (
+              <div key={what}>
+                <dt>{what}</dt>
+                <dd>{does}</dd>
+              </div>
+            ))}
+          </dl>
+        </section>
+        <section>
+          <h3>Keys</h3>
+          <dl>
+            {bindings.map(({ shown, text }) => (
+              <div key={shown}>
+                <dt>
+                  <kbd>{shown}</kbd>
+                </dt>
+                <dd>{text}</dd>
+              </div>
+            ))}
+          </dl>
+        </section>
       </div>
-      <p class="note">The simulation is the C++ library itself, as WebAssembly: the same scene gives the same bits here, on the command
-        line and in your program. The model is that of Chenney, Pingel, Iverson and Szymanski, “Simulating Cartoon Style Animation”,
-        2002.</p>
+      <p class="note">
+        The simulation is the C++ library itself, as WebAssembly: the same scene gives the same bits here, on the
+        command line and in your program. The model is that of Chenney, Pingel, Iverson and Szymanski, “Simulating
+        Cartoon Style Animation”, 2002.
+      </p>
     </dialog>
   );
 }

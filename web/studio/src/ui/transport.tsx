@@ -23,7 +23,8 @@ function Marks({ studio }: { studio: Studio }) {
     }
     return { mine: own, others: rest.slice(0, 3000), share: Math.min((player?.recordedTime ?? 0) / end, 1) };
   }, [player, known, end, name]);
-  const path = (places: readonly number[], top: number) => places.map((x) => `M${x.toFixed(1)} ${top}V${40 - top}`).join("");
+  const path = (places: readonly number[], top: number) =>
+    places.map((x) => `M${x.toFixed(1)} ${top}V${40 - top}`).join("");
   return (
     <svg class="marks" viewBox="0 0 1000 40" preserveAspectRatio="none" aria-hidden="true">
       <rect class="track" x="0" y="17" width="1000" height="6" rx="3" />
@@ -31,6 +32,34 @@ function Marks({ studio }: { studio: Studio }) {
       <path class="other" d={path(others, 12)} vector-effect="non-scaling-stroke" />
       <path class="mine" d={path(mine, 7)} vector-effect="non-scaling-stroke" />
     </svg>
+  );
+}
+
+/** Speed and ghosts: beside the time line, or in a panel where that is narrow. */
+export function Ways({ studio }: { studio: Studio }) {
+  return (
+    <>
+      <select
+        value={String(studio.speed.value)}
+        aria-label="Speed"
+        onChange={(event) => studio.setSpeed(Number(event.currentTarget.value))}
+      >
+        {speeds.map((speed) => (
+          <option key={speed} value={speed}>
+            {speed} ×
+          </option>
+        ))}
+      </select>
+      <select
+        value={studio.overlay.value}
+        aria-label="Ghosts"
+        onChange={(event) => studio.setOverlay(event.currentTarget.value as Overlay)}
+      >
+        <option value="none">No ghosts</option>
+        <option value="onion">Onion skin</option>
+        <option value="strobe">Strobe</option>
+      </select>
+    </>
   );
 }
 
@@ -43,30 +72,50 @@ export function Transport({ studio }: { studio: Studio }) {
     <section class="transport" aria-label="Time">
       <div class="transport-row">
         <IconButton icon={SkipBack} label="Back to the start" shortcut="Home" onClick={() => studio.scrub(0)} />
-        <IconButton icon={ChevronLeft} label="One step back" shortcut="," onClick={() => studio.stepBy(-1)} class="wide-only" />
-        <button type="button" class="play" aria-label={playing ? "Pause" : "Play"} title={`${playing ? "Pause" : "Play"} (Space)`}
-          onClick={() => studio.setPlaying(!playing)}>
+        <IconButton
+          icon={ChevronLeft}
+          label="One step back"
+          shortcut=","
+          onClick={() => studio.stepBy(-1)}
+          class="wide-only"
+        />
+        <button
+          type="button"
+          class="play"
+          aria-label={playing ? "Pause" : "Play"}
+          title={`${playing ? "Pause" : "Play"} (Space)`}
+          onClick={() => studio.setPlaying(!playing)}
+        >
           {playing ? <Pause size="1.3em" aria-hidden="true" /> : <Play size="1.3em" aria-hidden="true" />}
         </button>
         <IconButton icon={ChevronRight} label="One step" shortcut="." onClick={() => studio.stepBy(1)} />
         <div class="timeline">
           <Marks studio={studio} />
-          <input type="range" min="0" max={end} step={1 / kStepsPerSecond / 4} value={time} aria-label="Time"
+          <input
+            type="range"
+            min="0"
+            max={end}
+            step={1 / kStepsPerSecond / 4}
+            value={time}
+            aria-label="Time"
             aria-valuetext={`${time.toFixed(2)} of ${end} seconds`}
-            onInput={(event) => studio.scrub(Number(event.currentTarget.value))} />
+            onInput={(event) => studio.scrub(Number(event.currentTarget.value))}
+          />
         </div>
-        <output class="clock" aria-label="Time and frame"><b>{time.toFixed(2)}</b> s <span>f {frame}</span></output>
-        <label class="field inline wide-only"><span class="visually-hidden">Speed</span>
-          <select value={String(studio.speed.value)} aria-label="Speed" onChange={(event) => studio.setSpeed(Number(event.currentTarget.value))}>
-            {speeds.map((speed) => <option key={speed} value={speed}>{speed} ×</option>)}
-          </select></label>
-        <label class="field inline wide-only">
-          <select value={studio.overlay.value} aria-label="Ghosts"
-            onChange={(event) => studio.setOverlay(event.currentTarget.value as Overlay)}>
-            <option value="none">No ghosts</option><option value="onion">Onion skin</option><option value="strobe">Strobe</option>
-          </select></label>
-        <IconButton icon={Repeat} label="Loop" shortcut="L" pressed={studio.loop.value} class="wide-only"
-          onClick={() => studio.setLoop(!studio.loop.value)} />
+        <output class="clock" aria-label="Time and frame">
+          <b>{time.toFixed(2)}</b> s <span>f {frame}</span>
+        </output>
+        <div class="row wide-only">
+          <Ways studio={studio} />
+        </div>
+        <IconButton
+          icon={Repeat}
+          label="Loop"
+          shortcut="L"
+          pressed={studio.loop.value}
+          class="wide-only"
+          onClick={() => studio.setLoop(!studio.loop.value)}
+        />
       </div>
     </section>
   );

@@ -1,10 +1,11 @@
-// Runs the picture: takes what the studio's signals say, moves and draws it, frame by frame, and only where something changed.
+// Runs the picture: takes what the studio's signals say, moves and draws it, frame by frame, and only where
+// something changed.
 import { Boing, type Capability, type PatternName, type Pane, Stage, type ThemeName } from "stage";
 import { Raycaster, Vector2, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { TransformControls } from "three/examples/jsm/controls/TransformControls.js";
 import type { Player } from "../core/player.js";
-import { durationOf, kStepsPerSecond } from "../core/take.js";
+import { durationOf, kStepsPerSecond, type Take } from "../core/take.js";
 import { frameTimes, spanAround } from "../core/spacing.js";
 import { Band, SpacingDots } from "./previews.js";
 import { type BroughtMeshes, TakeView } from "./take_view.js";
@@ -55,6 +56,17 @@ function qualityWanted(): number | undefined {
   return Number.isInteger(wanted) && wanted >= 1 && wanted <= 6 ? wanted - 1 : undefined;
 }
 
+/** The scene's own strobe; where it says nothing, what is around the time that is shown. */
+function strobeTimes(take: Take, time: number): number[] {
+  const end = durationOf(take);
+  const strobe = take.scene.strobe as { every?: number; from?: number; to?: number } | undefined;
+  if (strobe === undefined) {
+    const from = Math.max(Math.min(time - 0.8, end - 2.4), 0);
+    return frameTimes(from, Math.min(from + 2.4, end), 12);
+  }
+  return frameTimes(strobe.from ?? 0, Math.min(strobe.to ?? end, end), 1 / Math.max(strobe.every ?? 0.1, 1 / 60));
+}
+
 export class Director {
   readonly stage: Stage;
   readonly controls: OrbitControls;
@@ -74,13 +86,23 @@ export class Director {
   private running = true;
   private home = { eye: new Vector3(), target: new Vector3(), fov: 35 };
 
-  constructor(readonly canvas: HTMLCanvasElement, capability: Capability, theme: ThemeName, show: Show,
-    private readonly events: DirectorEvents) {
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    capability: Capability,
+    theme: ThemeName,
+    show: Show,
+    private readonly events: DirectorEvents,
+  ) {
     this.show = show;
-    this.stage = new Stage(canvas, { theme, capability, quality: qualityWanted(), onContext: (lost) => {
-      events.onContext(lost);
-      this.invalidate();
-    } });
+    this.stage = new Stage(canvas, {
+      theme,
+      capability,
+      quality: qualityWanted(),
+      onContext: (lost) => {
+        events.onContext(lost);
+        this.invalidate();
+      },
+    });
     this.controls = new OrbitControls(this.stage.camera, canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.12;
@@ -110,7 +132,13 @@ export class Director {
   resize(width: number, height: number): void {
     this.stage.resize(width, height);
     this.fit();
+    // At once: a canvas of another size is empty.
+    if (this.views.length > 0 && this.running) this.draw();
     this.invalidate();
+  }
+  /** Whether what is compared stands one above the other. */
+  get upright(): boolean {
+    return this.canvas.clientHeight > this.canvas.clientWidth;
   }
 
   /** One player, or two that are compared. `frame`: look at all of it anew. */
@@ -137,8 +165,10 @@ export class Director {
     this.views.forEach((each) => each.setObstacles());
     const wanted = view.player.scene.camera;
     const vector = ({ x, y, z }: { x: number; y: number; z: number }) => new Vector3(x, y, z);
-    this.home = wanted !== null ? { eye: vector(wanted.eye), target: vector(wanted.target), fov: wanted.fov }
-      : { eye: center.clone().add(new Vector3(0.1, 0.35, 2.9).multiplyScalar(radius)), target: center, fov: 35 };
+    this.home =
+      wanted !== null
+        ? { eye: vector(wanted.eye), target: vector(wanted.target), fov: wanted.fov }
+        : { eye: center.clone().add(new Vector3(0.1, 0.35, 2.9).multiplyScalar(radius)), target: center, fov: 35 };
     this.goHome();
   }
   goHome(): void {
@@ -150,8 +180,10 @@ export class Director {
   /** From where the scene is to be seen, further back where the picture is narrow. */
   private fit(): void {
     const { camera } = this.stage;
-    const aspect = this.canvas.clientWidth / Math.max(this.canvas.clientHeight, 1) / (this.views.length > 1 ? 2 : 1);
-    const back = Math.max(1, 1.3 / Math.max(aspect, 0.3));
+    const [pane] = this.panes();
+    const aspect =
+      (this.canvas.clientWidth * (pane?.width ?? 1)) / Math.max(this.canvas.clientHeight * (pane?.height ?? 1), 1);
+    const back = Math.max(1, (this.views.length > 1 ? 1.25 : 1.6) / Math.max(aspect, 0.3));
     camera.fov = this.home.fov;
     camera.position.copy(this.home.target).add(this.home.eye.clone().sub(this.home.target).multiplyScalar(back));
     camera.near = Math.max(camera.position.distanceTo(this.home.target) / 500, 0.01);
@@ -169,9 +201,12 @@ export class Director {
 
   private panes(): Pane[] {
     const count = this.views.length;
-    const upright = this.canvas.clientHeight > this.canvas.clientWidth;
+    const { upright } = this;
     return this.views.map((view, i) => ({
-      x: upright ? 0 : i / count, y: upright ? i / count : 0, width: upright ? 1 : 1 / count, height: upright ? 1 / count : 1,
+      x: upright ? 0 : i / count,
+      y: upright ? i / count : 0,
+      width: upright ? 1 : 1 / count,
+      height: upright ? 1 / count : 1,
       draw: () => {
         this.views.forEach((other, j) => {
           other.group.visible = i === j;
@@ -250,7 +285,8 @@ export class Director {
   private tellKnown(): void {
     const recorded = Math.min(...this.views.map(({ player }) => player.recorded));
     const end = Math.ceil(durationOf(this.views[0]!.player.take) * kStepsPerSecond);
-    if (recorded === this.knownTold || (recorded < end && recorded - this.knownTold < 20 && this.knownTold >= 0)) return;
+    if (recorded === this.knownTold || (recorded < end && recorded - this.knownTold < 20 && this.knownTold >= 0))
+      return;
     this.knownTold = recorded;
     this.ghostKey = "";
     this.invalidate();
@@ -261,23 +297,26 @@ export class Director {
     if (!this.boing.isOn || this.show.speed < 0.2) return;
     for (const event of this.views[0]!.player.events()) {
       if (event.type !== "impact" || event.time <= from || event.time > to) continue;
-      this.boing.play({ speed: event.speed, length: event.body.shape.length, squash: event.stretchMid,
-        duration: event.timeIn + event.timeOut });
+      this.boing.play({
+        speed: event.speed,
+        length: event.body.shape.length,
+        squash: event.stretchMid,
+        duration: event.timeIn + event.timeOut,
+      });
     }
   }
 
   private drawGhosts(): void {
     const { overlay, time, spacing, selected } = this.show;
     const end = durationOf(this.views[0]!.player.take);
-    const key = `${overlay} ${overlay === "onion" ? time.toFixed(3) : ""} ${spacing} ${selected} ${spacing ? time.toFixed(2) : ""}`;
+    const moment = overlay === "none" && !spacing ? "" : time.toFixed(2);
+    const key = [overlay, spacing, selected, moment].join(" ");
     if (key === this.ghostKey) return;
     this.ghostKey = key;
     this.views.forEach((view, i) => {
       const known = view.player.recordedTime;
       const within = (times: number[]) => times.filter((t) => t >= 0 && t <= known);
-      const strobe = view.player.take.scene.strobe as { every?: number; from?: number; to?: number } | undefined;
-      const every = Math.max(strobe?.every ?? 1 / 12, 1 / 60);
-      if (overlay === "strobe") view.showGhosts(within(frameTimes(strobe?.from ?? 0, Math.min(strobe?.to ?? end, end), 1 / every)));
+      if (overlay === "strobe") view.showGhosts(within(strobeTimes(view.player.take, time)));
       else if (overlay === "onion") view.showGhosts(within([-4, -3, -2, -1, 1, 2, 3, 4].map((n) => time + n / 24)));
       else view.showGhosts([]);
       this.drawSpacing(view, i, end);
@@ -291,13 +330,18 @@ export class Director {
       dots.hide();
       return;
     }
-    const marks = view.player.events().filter((event) => event.type === "impact" && event.body.index === played.body.index)
+    const marks = view.player
+      .events()
+      .filter((event) => event.type === "impact" && event.body.index === played.body.index)
       .map((event) => event.time);
     const known = Math.min(end, view.player.recordedTime);
     const [from] = spanAround(marks, this.show.time, known);
     const times = frameTimes(Math.max(from - 0.5, 0), Math.min(from + 3, known));
     const { poses } = view.player.motionOf(played.body, times);
-    dots.show(poses.map(({ position: { x, y, z } }) => new Vector3(x, y, z)), played.body.shape.length);
+    dots.show(
+      poses.map(({ position: { x, y, z } }) => new Vector3(x, y, z)),
+      played.body.shape.length,
+    );
   }
 
   /** The gizmo's object may have moved by itself. */
@@ -312,18 +356,30 @@ export class Director {
     tally.work += work;
     const span = performance.now() - tally.since;
     if (span < 500) return;
-    this.events.onFigures({ fps: (1000 * tally.frames) / span, simulation: tally.simulation / tally.frames,
-      frame: tally.work / tally.frames, bodies: this.views[0]?.player.bodies.length ?? 0, calls: this.stage.drawCalls,
-      quality: this.stage.governor.level });
+    this.events.onFigures({
+      fps: (1000 * tally.frames) / span,
+      simulation: tally.simulation / tally.frames,
+      frame: tally.work / tally.frames,
+      bodies: this.views[0]?.player.bodies.length ?? 0,
+      calls: this.stage.drawCalls,
+      quality: this.stage.governor.level,
+    });
     this.tally = { frames: 0, simulation: 0, work: 0, since: performance.now() };
   }
 
+  /** The pane that the last ray fell into: its place in `views`. */
+  pane = 0;
   /** A ray through a place of the page, in the pane that it falls into. */
   rayAt(x: number, y: number): Raycaster {
     const box = this.canvas.getBoundingClientRect();
     const place = new Vector2((x - box.left) / box.width, (y - box.top) / box.height);
-    const pane = this.panes().find((each) => place.x >= each.x && place.x <= each.x + each.width && place.y >= each.y &&
-      place.y <= each.y + each.height) ?? { x: 0, y: 0, width: 1, height: 1 };
+    const panes = this.panes();
+    const found = panes.findIndex(
+      (each) =>
+        place.x >= each.x && place.x <= each.x + each.width && place.y >= each.y && place.y <= each.y + each.height,
+    );
+    this.pane = Math.max(found, 0);
+    const pane = panes[this.pane] ?? { x: 0, y: 0, width: 1, height: 1 };
     place.set((2 * (place.x - pane.x)) / pane.width - 1, 1 - (2 * (place.y - pane.y)) / pane.height);
     this.stage.camera.aspect = (box.width * pane.width) / Math.max(box.height * pane.height, 1);
     this.stage.camera.updateProjectionMatrix();
@@ -336,11 +392,20 @@ export class Director {
     const box = this.canvas.getBoundingClientRect();
     const pane = this.panes()[0] ?? { width: 1, height: 1 };
     const seen = new Vector3(x, y, z).project(this.stage.camera);
-    return { x: box.left + (0.5 + seen.x / 2) * box.width * pane.width, y: box.top + (0.5 - seen.y / 2) * box.height * pane.height };
+    return {
+      x: box.left + (0.5 + seen.x / 2) * box.width * pane.width,
+      y: box.top + (0.5 - seen.y / 2) * box.height * pane.height,
+    };
   }
 
   /** Renders one picture of any size at a time of the take, apart from what is on the page. */
-  picture(width: number, height: number, time: number, overlay: Overlay, frame: (canvas: HTMLCanvasElement) => void): void {
+  picture(
+    width: number,
+    height: number,
+    time: number,
+    overlay: Overlay,
+    frame: (canvas: HTMLCanvasElement) => void,
+  ): void {
     const { show } = this;
     const was = { ...show };
     const helper = this.gizmo.getHelper();

@@ -13,7 +13,7 @@ export function useHands(studio: Studio): void {
 
   /** The body that is seen there: not behind a solid. */
   const bodyAt = (ray: Raycaster): string | null => {
-    const view = director.views[0];
+    const view = director.views[director.pane];
     if (view === undefined) return null;
     const index = view.pickBody(ray);
     return view.player.bodies.find((played) => played.body.index === index)?.name ?? null;
@@ -22,37 +22,46 @@ export function useHands(studio: Studio): void {
     const exact = bodyAt(director.rayAt(x, y));
     if (exact !== null) return exact;
     // A finger is broad: around the place too.
-    for (const [dx, dy] of [[14, 0], [-14, 0], [0, 14], [0, -14]] as const) {
+    for (const [dx, dy] of [
+      [14, 0],
+      [-14, 0],
+      [0, 14],
+      [0, -14],
+    ] as const) {
       const near = bodyAt(director.rayAt(x + dx, y + dy));
       if (near !== null) return near;
     }
     return null;
   };
 
-  canvas.addEventListener("pointerdown", (event) => {
-    if (!event.isPrimary || event.button !== 0 || gizmo.dragging || gizmo.axis !== null) return;
-    const name = grabAt(event.clientX, event.clientY);
-    if (studio.tool.value === "edit") {
-      if (name !== null) studio.selectBody(name);
-      else {
-        const found = director.views[0]?.obstacles.pick(director.rayAt(event.clientX, event.clientY), false);
-        if (found !== undefined && found.index >= 0) studio.selectObstacle(found.index);
+  canvas.addEventListener(
+    "pointerdown",
+    (event) => {
+      if (!event.isPrimary || event.button !== 0 || gizmo.dragging || gizmo.axis !== null) return;
+      const name = grabAt(event.clientX, event.clientY);
+      if (studio.tool.value === "edit") {
+        if (name !== null) studio.selectBody(name);
+        else {
+          const found = director.views[0]?.obstacles.pick(director.rayAt(event.clientX, event.clientY), false);
+          if (found !== undefined && found.index >= 0) studio.selectObstacle(found.index);
+        }
+        return;
       }
-      return;
-    }
-    const player = studio.players.value[0];
-    const played = player?.bodyNamed(name);
-    if (player === undefined || played === undefined || name === null) return;
-    event.preventDefault();
-    controls.enabled = false;
-    canvas.setPointerCapture(event.pointerId);
-    pressed = { id: event.pointerId, x: event.clientX, y: event.clientY, playing: studio.playing.value };
-    studio.scrub(studio.step / 60);
-    player.goTo(studio.step);
-    studio.selectBody(name);
-    thrower.begin(player, played, director.stage.camera);
-    canvas.style.cursor = "grabbing";
-  }, { capture: true });
+      const player = studio.players.value[director.pane];
+      const played = player?.bodyNamed(name);
+      if (player === undefined || played === undefined || name === null) return;
+      event.preventDefault();
+      controls.enabled = false;
+      canvas.setPointerCapture(event.pointerId);
+      pressed = { id: event.pointerId, x: event.clientX, y: event.clientY, playing: studio.playing.value };
+      studio.scrub(studio.step / 60);
+      player.goTo(studio.step);
+      studio.selectBody(name);
+      thrower.begin(player, played, director.stage.camera);
+      canvas.style.cursor = "grabbing";
+    },
+    { capture: true },
+  );
 
   canvas.addEventListener("pointermove", (event) => {
     if (pressed === null) {
@@ -81,16 +90,20 @@ export function useHands(studio: Studio): void {
   };
   canvas.addEventListener("pointerup", (event) => end(event, false));
   canvas.addEventListener("pointercancel", (event) => end(event, true));
-  addEventListener("keydown", (event) => {
-    if (event.key !== "Escape" || pressed === null) return;
-    const { playing } = pressed;
-    pressed = null;
-    thrower.cancel();
-    controls.enabled = true;
-    studio.aiming.value = null;
-    studio.setPlaying(playing);
-    event.stopImmediatePropagation();
-  }, { capture: true });
+  addEventListener(
+    "keydown",
+    (event) => {
+      if (event.key !== "Escape" || pressed === null) return;
+      const { playing } = pressed;
+      pressed = null;
+      thrower.cancel();
+      controls.enabled = true;
+      studio.aiming.value = null;
+      studio.setPlaying(playing);
+      event.stopImmediatePropagation();
+    },
+    { capture: true },
+  );
   useGizmo(studio);
 }
 
@@ -146,7 +159,12 @@ function useGizmo(studio: Studio): void {
     else {
       const obstacle = studio.take.value.scene.obstacles?.[selection.index];
       if (obstacle?.shape === undefined) done = movePlane(studio, selection.index, proxy);
-      else done = studio.changeObstacle(selection.index, { position, rotation: [round(x), round(y), round(z), round(w)] }, "gizmo");
+      else
+        done = studio.changeObstacle(
+          selection.index,
+          { position, rotation: [round(x), round(y), round(z), round(w)] },
+          "gizmo",
+        );
     }
     if (done) good = { position: proxy.position.clone(), quaternion: proxy.quaternion.clone() };
     else if (good !== null) {

@@ -1,6 +1,17 @@
-// What is drawn over the world: the rubber band with the path that is to come, and the places of the frames along a path.
-import { CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Quaternion, SphereGeometry, TorusGeometry,
-  Vector3 } from "three";
+// What is drawn over the world: the rubber band with the path that is to come, and the places of the frames along a
+// path.
+import {
+  CylinderGeometry,
+  Group,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  Quaternion,
+  SphereGeometry,
+  TorusGeometry,
+  Vector3,
+} from "three";
 
 const kMostDots = 160;
 const up = new Vector3(0, 1, 0);
@@ -45,8 +56,13 @@ export class Band {
   }
 
   /** `size`: the body's radius; `contact`: the first touch, if there is one. */
-  show(from: Vector3, to: Vector3, size: number, path: readonly Vector3[],
-    contact: { point: Vector3; normal: Vector3 } | null): void {
+  show(
+    from: Vector3,
+    to: Vector3,
+    size: number,
+    path: readonly Vector3[],
+    contact: { point: Vector3; normal: Vector3 } | null,
+  ): void {
     const along = to.clone().sub(from);
     const length = along.length();
     this.group.visible = true;

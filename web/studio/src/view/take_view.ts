@@ -1,5 +1,13 @@
 // What is drawn of one take: its bodies, their ghosts, its obstacles. Two of them stand side by side in a comparison.
-import { type BodyLook, BodyViews, halfExtents, type ObstacleLook, ObstacleViews, type PatternName, type Stage } from "stage";
+import {
+  type BodyLook,
+  BodyViews,
+  halfExtents,
+  type ObstacleLook,
+  ObstacleViews,
+  type PatternName,
+  type Stage,
+} from "stage";
 import { Group, type Object3D, Raycaster, Vector3 } from "three";
 import type { Player } from "../core/player.js";
 import type { SceneFile } from "../core/take.js";
@@ -28,7 +36,11 @@ export class TakeView {
   private ghostCopies = 0;
   private looks: readonly BodyLook[] = [];
 
-  constructor(private readonly stage: Stage, readonly player: Player, private readonly options: Looks) {
+  constructor(
+    private readonly stage: Stage,
+    readonly player: Player,
+    private readonly options: Looks,
+  ) {
     this.bodies = new BodyViews(stage.theme.cream);
     this.ghosts = new BodyViews(stage.theme.cream, { opacity: 0.3, shadows: false });
     this.group.add(this.obstacles.group, this.ghosts.group, this.bodies.group);
@@ -48,7 +60,10 @@ export class TakeView {
       return { shape, normal, color: hexOf(from_file.color), position: frame.position, rotation: frame.rotation };
     });
     this.moving = (scene.obstacles ?? []).flatMap((from_file, i) =>
-      (from_file.path !== undefined || from_file.velocity !== undefined || from_file.angular_velocity !== undefined ? [i] : []));
+      from_file.path !== undefined || from_file.velocity !== undefined || from_file.angular_velocity !== undefined
+        ? [i]
+        : [],
+    );
     this.obstacles.set(looks, this.stage.theme, this.stage.occluders, center, Math.max(radius * 3.2, 8));
   }
 
@@ -57,12 +72,19 @@ export class TakeView {
     const { bodies, take } = this.player;
     if (bodies.length === this.shown) return;
     this.shown = bodies.length;
-    const shape_names = [...(take.scene.bodies ?? []), ...take.inputs.flatMap((input) =>
-      (input.kind === "arrival" ? [input.body] : []))].map((body) => body.shape);
+    const shape_names = [
+      ...(take.scene.bodies ?? []),
+      ...take.inputs.flatMap((input) => (input.kind === "arrival" ? [input.body] : [])),
+    ].map((body) => body.shape);
     this.looks = bodies.map(({ body, color }, i): BodyLook => {
       const template = this.options.meshes.get(shape_names[i] ?? "");
-      return { index: body.index, shape: body.shape, color, pattern: this.options.pattern,
-        ...(template && { object: new Group().add(template.clone()) }) };
+      return {
+        index: body.index,
+        shape: body.shape,
+        color,
+        pattern: this.options.pattern,
+        ...(template && { object: new Group().add(template.clone()) }),
+      };
     });
     this.bodies.set(this.looks);
     this.ghostCopies = 0;
@@ -120,11 +142,12 @@ export class TakeView {
       const matrices = this.player.matricesAt((Math.min(end, this.player.recordedTime) * i) / 24);
       for (const { body } of this.player.bodies) {
         const at = 12 * body.index;
-        if (at + 11 >= matrices.length || matrices[at] === 0 && matrices[at + 1] === 0 && matrices[at + 2] === 0) continue;
+        if (at + 11 >= matrices.length || (matrices[at] === 0 && matrices[at + 1] === 0 && matrices[at + 2] === 0))
+          continue;
         add(matrices[at + 9]!, matrices[at + 10]!, matrices[at + 11]!, Math.max(...halfExtents(body.shape)));
       }
     }
-    (this.player.world.obstacles()).forEach((obstacle, i) => {
+    this.player.world.obstacles().forEach((obstacle, i) => {
       if (obstacle.shape === null) return;
       const { position } = this.player.scene.obstacleFrame(i, 0);
       add(position.x, position.y, position.z, Math.min(obstacle.shape.boundingRadius, 12) * 0.8);

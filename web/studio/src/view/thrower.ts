@@ -46,8 +46,12 @@ export class Thrower {
       if (Math.abs(facing.dot(axis)) > 0.85) facing.copy(axis);
     }
     const { extents } = played.body.shape;
-    this.held = { played, from, plane: new Plane().setFromNormalAndCoplanarPoint(facing, from),
-      size: Math.max(extents.x, extents.y, extents.z) / 2 };
+    this.held = {
+      played,
+      from,
+      plane: new Plane().setFromNormalAndCoplanarPoint(facing, from),
+      size: Math.max(extents.x, extents.y, extents.z) / 2,
+    };
     this.velocity.set(0, 0, 0);
   }
 
@@ -74,10 +78,13 @@ export class Thrower {
     const delays = Array.from({ length: Math.round(kAhead / kDotEvery) }, (_, i) => (i + 1) * kDotEvery);
     const path = body.predictPoses(delays).map(({ position: { x, y, z } }) => new Vector3(x, y, z));
     const first = body.predictEvents(kAhead).find((event) => event.type === "impact");
-    const contact = first === undefined ? null : {
-      point: new Vector3(first.point.x, first.point.y, first.point.z),
-      normal: new Vector3(first.normal.x, first.normal.y, first.normal.z),
-    };
+    const contact =
+      first === undefined
+        ? null
+        : {
+            point: new Vector3(first.point.x, first.point.y, first.point.z),
+            normal: new Vector3(first.normal.x, first.normal.y, first.normal.z),
+          };
     return { path, contact };
   }
 
@@ -87,7 +94,11 @@ export class Thrower {
     this.cancel();
     if (held === null || this.velocity.lengthSq() === 0) return null;
     const { x, y, z } = held.from;
-    return { name: held.played.name, position: [x, y, z], velocity: [this.velocity.x, this.velocity.y, this.velocity.z] };
+    return {
+      name: held.played.name,
+      position: [x, y, z],
+      velocity: [this.velocity.x, this.velocity.y, this.velocity.z],
+    };
   }
   cancel(): void {
     this.held = null;

@@ -8,8 +8,10 @@ const root = fileURLToPath(new URL("../..", import.meta.url));
 
 export async function open(chromium_path) {
   const server = await preview({ root, logLevel: "error", preview: { port: 0, host: "127.0.0.1" } });
-  const browser = await chromium.launch({ executablePath: chromium_path,
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
+  const browser = await chromium.launch({
+    executablePath: chromium_path,
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
   const complaints = [];
   const address = server.resolvedUrls.local[0];
 
@@ -49,7 +51,7 @@ export async function panel(page, name) {
 }
 
 export const pause = async (page) => {
-  if (await page.evaluate(() => studio.playing.value)) await page.keyboard.press("Space");
+  if (await page.evaluate(() => studio.playing.value)) await page.locator(".play").click();
   await page.waitForFunction(() => !studio.playing.value);
 };
 
@@ -65,13 +67,15 @@ export async function hashAt(page, step) {
   return page.locator(".figures code").textContent();
 }
 
-/** A text of the page's messages that matches. */
+/** A text of the page's messages that matches; then they are gone. */
 export async function told(page, words) {
-  const toast = page.locator(".toast", { hasText: words });
-  await toast.first().waitFor({ timeout: 20000 });
-  const text = await toast.first().innerText();
-  await toast.first().getByRole("button", { name: "Dismiss" }).click();
-  return text;
+  const pattern = typeof words === "string" ? words.replace(/[.*+?^${}()|[\]\\]/g, "\\$&") : words.source;
+  const found = await page.waitForFunction(
+    (source) => [...document.querySelectorAll(".toast:not(.busy)")].map((toast) => toast.innerText)
+      .find((text) => new RegExp(source).test(text)),
+    pattern, { timeout: 40000, polling: 50 });
+  await page.evaluate(() => studio.toasts.value.forEach(({ id }) => studio.dismiss(id)));
+  return found.jsonValue();
 }
 
 export async function download(page, act) {
@@ -81,8 +85,12 @@ export async function download(page, act) {
 }
 
 /** Drops files on the page, or gives them to the file chooser. */
-export const give = (page, ...files) => page.locator('input[type="file"]').setInputFiles(files.map(([name, content]) => ({ name,
-  mimeType: "application/octet-stream", buffer: Buffer.from(content) })));
+export const give = (page, ...files) =>
+  page
+    .locator('input[type="file"]')
+    .setInputFiles(
+      files.map(([name, content]) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(content) })),
+    );
 
 let passed = 0;
 export async function check(name, work) {

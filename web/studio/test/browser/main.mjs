@@ -1,4 +1,5 @@
-// The studio in Chromium: plays, scrubs, throws, tunes, keeps, opens, refuses. Usage: node main.mjs [CHROMIUM] [FOLDER FOR PICTURES]
+// The studio in Chromium: plays, scrubs, throws, tunes, keeps, opens, refuses. Usage: node main.mjs [CHROMIUM]
+// [FOLDER FOR PICTURES]
 import { readFileSync, mkdirSync } from "node:fs";
 import validator from "gltf-validator";
 import { assert, check, count, download, give, hashAt, open, panel, pause, told } from "./harness.mjs";
@@ -30,6 +31,14 @@ try {
     assert.equal(await page.evaluate(() => studio.step), before + 2);
     await page.keyboard.press(",");
     assert.equal(await page.evaluate(() => studio.step), before + 1);
+    // A button that was clicked does not keep Space for itself.
+    const [throws, edits] = ["Throw", "Edit"].map((name) => page.getByRole("button", { name, exact: true }));
+    await edits.click();
+    await page.keyboard.press("Space");
+    await page.waitForFunction(() => studio.playing.value);
+    await page.keyboard.press("Space");
+    await page.waitForFunction(() => !studio.playing.value);
+    await throws.click();
   });
   await check("a scrubbed-to state is the played one", async () => {
     const played = await hashAt(page, 150);
@@ -84,6 +93,19 @@ try {
     const [a, b] = await page.evaluate(() => studio.players.value.map((player) => player.hashAt(100)));
     assert.equal(a, thrown);
     assert.notEqual(b, thrown);
+    const box = await page.locator(".picture canvas").boundingBox();
+    await page.getByRole("slider", { name: "Time" }).fill("1.5");
+    const place = await page.evaluate(() => {
+      const { x, y, z } = studio.players.value[1].motionOf(studio.players.value[1].bodies[0].body, [1.5]).poses[0].position;
+      return studio.director.placeOf(x, y, z);
+    });
+    await page.mouse.move(place.x + box.width / 2, place.y);
+    await page.mouse.down();
+    await page.mouse.move(place.x + box.width / 2 - 40, place.y + 30, { steps: 3 });
+    await page.getByText(/m\/s$/).first().waitFor();
+    await page.keyboard.press("Escape");
+    await page.mouse.up();
+    assert.equal(await page.evaluate(() => studio.take.value.inputs.length), 1);
     await page.getByRole("button", { name: "Keep B" }).click();
     assert.equal(await hashAt(page, 100), b);
     await page.getByRole("button", { name: "Undo" }).click();
@@ -94,22 +116,33 @@ try {
     await page.locator(".chart .line").first().waitFor();
     assert.equal(await page.locator(".numbers dt").count(), 6);
     const time = await page.evaluate(() => studio.time.value);
-    await page.locator(".chart .pickable").first().click({ position: { x: 200, y: 60 } });
+    await page
+      .locator(".chart .pickable")
+      .first()
+      .click({ position: { x: 200, y: 60 } });
     assert.notEqual(await page.evaluate(() => studio.time.value), time);
   });
   await check("things are added, thrown by numbers, and deleted", async () => {
     await panel(page, "Things");
     await page.getByRole("button", { name: "Capsule" }).click();
     await page.getByRole("button", { name: "Ramp" }).click();
-    const scene = await page.evaluate(() => ({ count: studio.players.value[0].bodies.length,
-      obstacles: studio.take.value.scene.obstacles.length }));
+    const scene = await page.evaluate(() => ({
+      count: studio.players.value[0].bodies.length,
+      obstacles: studio.take.value.scene.obstacles.length,
+    }));
     assert.deepEqual(scene, { count: 2, obstacles: 6 });
     await page.getByRole("button", { name: "Delete" }).click();
-    await page.locator(".things").getByRole("button", { name: /capsule/ }).click();
+    await page
+      .locator(".things")
+      .getByRole("button", { name: /capsule/ })
+      .click();
     await page.getByRole("button", { name: "Throw now" }).click();
     await pause(page);
     await page.getByRole("button", { name: "Delete" }).click();
-    assert.deepEqual(await page.evaluate(() => [studio.players.value[0].bodies.length, studio.take.value.scene.obstacles.length]), [1, 5]);
+    assert.deepEqual(
+      await page.evaluate(() => [studio.players.value[0].bodies.length, studio.take.value.scene.obstacles.length]),
+      [1, 5],
+    );
   });
 
   await check("a take is kept as a file and opened again: the same hash", async () => {
@@ -164,9 +197,17 @@ try {
     assert.ok(await page.evaluate(() => studio.players.value[0].bodies.some(({ name }) => name === "peak")));
   });
   await check("pictures and films", async () => {
-    await give(page, ["short.json", JSON.stringify({ elastoon: 1, name: "Short", duration: 0.5,
-      shapes: { b: { type: "sphere", radius: 0.5 } }, bodies: [{ shape: "b", position: [0, 1, 0] }],
-      obstacles: [{ type: "plane", normal: [0, 1, 0] }] })]);
+    await give(page, [
+      "short.json",
+      JSON.stringify({
+        elastoon: 1,
+        name: "Short",
+        duration: 0.5,
+        shapes: { b: { type: "sphere", radius: 0.5 } },
+        bodies: [{ shape: "b", position: [0, 1, 0] }],
+        obstacles: [{ type: "plane", normal: [0, 1, 0] }],
+      }),
+    ]);
     await told(page, "Opened short.json");
     await panel(page, "Keep");
     await page.getByLabel("Size").selectOption("small");
@@ -186,8 +227,16 @@ try {
     await panel(page, "Scenes");
     for (const [name, content, words] of [
       ["broken.json", '{"elastoon": 1,', /broken.json is not JSON/],
-      ["typo.json", '{"elastoon":1,"shapes":{"ball":{"type":"sphere","radius":1}},"bodies":[{"shape":"bal"}]}', /bodies\/0\/shape.*"ball"/],
-      ["inside.json", JSON.stringify({ ...before.scene, bodies: [{ shape: "b", position: [0, 0, 0] }] }), /inside the obstacle/],
+      [
+        "typo.json",
+        '{"elastoon":1,"shapes":{"ball":{"type":"sphere","radius":1}},"bodies":[{"shape":"bal"}]}',
+        /bodies\/0\/shape.*"ball"/,
+      ],
+      [
+        "inside.json",
+        JSON.stringify({ ...before.scene, bodies: [{ shape: "b", position: [0, 0, 0] }] }),
+        /inside the obstacle/,
+      ],
       ["notes.txt", "hello", /opens scenes and takes/],
       ["torn.glb", "glTF\u0002\u0000", /torn.glb/],
       ["flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", /flat.obj.*four points/],
@@ -197,6 +246,11 @@ try {
       await told(page, words);
       assert.deepEqual(await page.evaluate(() => studio.take.value), before, name);
     }
+  });
+  await check("a message can be sent away", async () => {
+    await give(page, ["notes.txt", "hello"]);
+    await page.getByRole("button", { name: "Dismiss" }).click();
+    await page.locator(".toast").waitFor({ state: "detached" });
   });
   await check("a stranger's names are text, and links are data", async () => {
     const other = await visit(linkTo(hostileNames()));
@@ -211,9 +265,12 @@ try {
     await other.context().close();
   });
   await check("without WebGL 2 it says so", async () => {
-    const other = await visit("", { expectFailure: true, before: () => {
-      HTMLCanvasElement.prototype.getContext = () => null;
-    } });
+    const other = await visit("", {
+      expectFailure: true,
+      before: () => {
+        HTMLCanvasElement.prototype.getContext = () => null;
+      },
+    });
     await other.getByRole("heading", { name: "This browser cannot draw the studio" }).waitFor();
     await other.context().close();
   });
@@ -232,11 +289,27 @@ try {
     assert.equal(await other.evaluate(() => studio.playing.value), false);
     await other.context().close();
   });
+  await check("the last scene can be opened again", async () => {
+    const { bodies } = await page.evaluate(() => studio.take.value.scene);
+    await page.waitForFunction(() => localStorage.getItem("elastoon-studio-last") !== null);
+    await page.waitForTimeout(1600);
+    await page.reload();
+    await page.waitForSelector(".play");
+    await panel(page, "Scenes");
+    await page.getByRole("button", { name: "Last scene" }).click();
+    await told(page, "Opened the last scene");
+    assert.deepEqual(await page.evaluate(() => studio.take.value.scene.bodies), bodies);
+  });
   await check("it works without a network once it was loaded", async () => {
     const other = await visit();
     await other.evaluate(() => navigator.serviceWorker.ready);
-    await other.waitForFunction(async () => (await caches.keys()).some((name) => name.startsWith("elastoon-studio-")) &&
-      navigator.serviceWorker.controller !== null, null, { timeout: 20000 });
+    await other.waitForFunction(
+      async () =>
+        (await caches.keys()).some((name) => name.startsWith("elastoon-studio-")) &&
+        navigator.serviceWorker.controller !== null,
+      null,
+      { timeout: 20000 },
+    );
     await other.context().setOffline(true);
     await other.reload();
     await other.waitForSelector(".play");
