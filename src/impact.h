@@ -45,8 +45,8 @@ struct AlsoTouched {
 [[nodiscard]] Impact blendImpact(const Impact& impact, double t, std::span<const AlsoTouched> others,
                                  const Shape& shape, const Style& style, const Vec3& gravity);
 
-/// The impact from time t on when the body shall leave it with this velocity (world). In the squash half it turns to the
-/// new way, from the turn that it has; later its form stays what it was to be, and the flight eases it.
+/// The impact from time t on when the body shall leave it with this velocity (world). In the squash half it turns to
+/// the new way, from the turn that it has; later its form stays what it was to be, and the flight eases it.
 [[nodiscard]] Impact steeredImpact(const Impact& impact, double t, const Vec3& velocity, const Shape& shape,
                                    const Style& style, const Vec3& gravity);
 

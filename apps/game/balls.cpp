@@ -275,7 +275,7 @@ void Game::holdCourse() {
 
 /// Lets the ball fly out of what holds it, from the nearest place where a ball that flies has room.
 void Game::setFree(Ball& ball, const Vec3& velocity) {
-    constexpr std::array<double, 8> kAside{0.0, 0.02, 0.05, 0.1, 0.2, 0.3, 0.45, 0.6}; // m
+    constexpr std::array<double, 11> kAside{0.0, 0.02, 0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1.1, 1.5}; // m
     constexpr int kWays = 8;
     ball.planned = velocity;
     (void)world_->setVelocity(ball.body, velocity);
@@ -289,6 +289,7 @@ void Game::setFree(Ball& ball, const Vec3& velocity) {
             }
         }
     }
+    ball.crushed = true;
 }
 
 /// In flight it has the speed of its height; nothing lets it lie or slide.
@@ -329,7 +330,7 @@ void Game::loseBalls() {
     for (std::size_t i = 0; i < balls_.size();) {
         const Vec3 position = world_->pose(balls_[i].body).position;
         const bool outside = std::fabs(position.x) > kHalfWidth + kOutside || position.y > kCeiling + kOutside;
-        if (position.y >= kLostBelow && !outside) {
+        if (position.y >= kLostBelow && !outside && !balls_[i].crushed) {
             ++i;
             continue;
         }

@@ -76,6 +76,7 @@ struct Ball {
     Vec3 planned{0.0};    ///< what the impact that it is in will leave it with
     int idle_impacts = 0; ///< since a block or the paddle
     bool hurried = false; ///< a jelly threw it back
+    bool crushed = false; ///< it has no room anywhere near: it is lost
 };
 
 struct LiveBlock {

@@ -12,8 +12,9 @@ inline constexpr double kHalfWidth = 5.5;
 inline constexpr double kCeiling = 16.0;
 
 inline constexpr double kBallRadius = 0.32;
-/// A ball whose centre is below is lost. Not below the paddle's foot: a ball must not be wedged under it.
-inline constexpr double kLostBelow = 0.95;
+/// A ball whose centre is below is lost: it is beside the paddle's end, where that would press it to a wall, not lift
+/// it.
+inline constexpr double kLostBelow = 1.08;
 
 inline constexpr double kPaddleFoot = 0.9;
 inline constexpr double kPaddleHeight = 0.42;

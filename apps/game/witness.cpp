@@ -8,7 +8,6 @@
 
 namespace squashout {
 
-using elastoon::PosedWitness;
 using elastoon::Real;
 using elastoon::RealVec;
 
