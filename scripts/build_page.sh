@@ -3,6 +3,7 @@
 # Usage: build_page.sh studio|game
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. scripts/node.sh
 page=web/$1
 package=web/package
 

@@ -31,10 +31,7 @@ while [ $# -gt 0 ]; do
 done
 
 scripts/install.sh web
-node -e 'const [a, b] = process.versions.node.split("."); process.exit(a > 20 || (a == 20 && b >= 19) ? 0 : 1)' || {
-  echo "$page: needs Node 20.19 or later, this is $(node --version): https://nodejs.org" >&2
-  exit 1
-}
+. scripts/node.sh
 scripts/build_page.sh "$page"
 echo "The $page, until Ctrl C:"
 cd "web/$page"

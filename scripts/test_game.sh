@@ -3,6 +3,7 @@
 # build/game/.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. scripts/node.sh
 most_bytes=500000
 scripts/build_page.sh game
 mkdir -p build/game

@@ -2,6 +2,7 @@
 # Writes .glb files and has them judged by the Khronos validator and by three.js, against the pose table.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. scripts/node.sh
 if ! [ tests/gltf/node_modules/.package-lock.json -nt tests/gltf/package-lock.json ]; then
   echo "install: npm packages of tests/gltf"
   npm ci --prefix tests/gltf --no-audit --no-fund --silent

@@ -3,6 +3,7 @@
 # builds it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. scripts/node.sh
 package=web/package
 out=build/npm
 mkdir -p "$out"

@@ -2,6 +2,7 @@
 # Tests of the studio: its logic, its size, and the page in Chromium. Pictures of every view are left in build/studio/.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. scripts/node.sh
 most_bytes=1000000
 scripts/build_page.sh studio
 mkdir -p build/studio

@@ -3,6 +3,7 @@
 # scenes in Node, and in Chromium in a page and in a worker: the hashes must be those of native programs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. scripts/node.sh
 most_bytes=200000
 scripts/build.sh wasm
 package=web/package
