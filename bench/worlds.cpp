@@ -1,9 +1,10 @@
 // See worlds.h: the library's own stepping.
 #include "worlds.h"
 
+#include "parallel.h"
+
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 namespace elastoon {
 
@@ -29,22 +30,6 @@ public:
     [[nodiscard]] std::uint64_t hash() const override { return world_.stateHash(); }
 
 private:
-    static ParallelFor onThreads(int threads) {
-        if (threads <= 1) {
-            return {};
-        }
-        return [threads](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body) {
-            const auto parts = static_cast<std::size_t>(threads);
-            std::vector<std::thread> crew;
-            for (std::size_t i = 1; i < parts; ++i) {
-                crew.emplace_back([&, i] { body(count * i / parts, count * (i + 1) / parts); });
-            }
-            body(0, count / parts);
-            for (std::thread& worker : crew) {
-                worker.join();
-            }
-        };
-    }
     std::vector<BodyId> bodies_;
     World world_;
     std::span<const float> matrices_;

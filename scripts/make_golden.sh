@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes tests/golden/hashes.txt and the game's recorded plays anew, for a change of the motion that is meant. Then look at the pictures, and say in the
-# commit why the bits changed.
+# Writes tests/golden/hashes.txt, apps/cli/bench_hashes.h and the game's recorded plays anew, for a change of the motion that is
+# meant. Then look at the pictures, and say in the commit why the bits changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/build.sh release elastoon_program elastoon_game_program
@@ -13,7 +13,8 @@ golden=tests/golden/hashes.txt
   done
 } > "$golden.new"
 mv "$golden.new" "$golden"
-build/release/elastoon bench --seconds 0.01 | awk 'NF == 7 && $7 ~ /^[0-9a-f]+$/ {print $1, $7}' | while read -r scene hash; do
+hashes=$(build/release/elastoon bench --seconds 0.01 | awk 'NF == 7 && $7 ~ /^[0-9a-f]+$/ {print $1, $7}')
+echo "$hashes" | while read -r scene hash; do
   sed -i -E "s/(\"$scene\", [0-9]+, 0x)[0-9a-f]{16}/\1$hash/" apps/cli/bench_hashes.h
 done
 

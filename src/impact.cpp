@@ -32,6 +32,13 @@ struct Meeting {
     bool can_skip = false; ///< there is a plane under it to skip along
 };
 
+/// How the body lies, in the surface's frame, that long after the touch.
+Quat orientationAfter(const Impact& impact, double elapsed) {
+    const double share =
+        (turnShare(impact.curve, impact.easing, elapsed) - impact.turn_from) / (1.0 - impact.turn_from);
+    return rotationAbout(impact.turn_axis, impact.turn_angle * share) * impact.orientation;
+}
+
 /// v_out - w: the normal part reflected and reduced, the tangential part kept. A surface that cannot hold the body
 /// lets it go with the rest speed at least.
 Vec3 relativeVelocityOut(const Meeting& meeting, double restitution, bool comes_to_rest) {
@@ -314,9 +321,7 @@ Impact blendImpact(const Impact& impact, double t, std::span<const AlsoTouched> 
     const Vec3 thrown = velocity - impact.velocity_in;
     const double size = glm::length(thrown);
     const double elapsed = t - impact.begun;
-    const double share =
-        (turnShare(impact.curve, impact.easing, elapsed) - impact.turn_from) / (1.0 - impact.turn_from);
-    blended.orientation = rotationAbout(impact.turn_axis, impact.turn_angle * share) * impact.orientation;
+    blended.orientation = orientationAfter(impact, elapsed);
     const double speed = glm::length(velocity);
     blended.curve = withEnd(impact.curve, style, shape.length(), speed,
                             stretchAtSpeed(style, glm::length(velocityAfter(blended, t))));
@@ -341,9 +346,7 @@ Impact steeredImpact(const Impact& impact, double t, const Vec3& velocity, const
         steered.curve = withEnd(impact.curve, style, shape.length(), glm::length(steered.velocity_out),
                                 stretchAtSpeed(style, glm::length(velocity)));
         aim();
-        const double share =
-            (turnShare(impact.curve, impact.easing, elapsed) - impact.turn_from) / (1.0 - impact.turn_from);
-        steered.orientation = rotationAbout(impact.turn_axis, impact.turn_angle * share) * impact.orientation;
+        steered.orientation = orientationAfter(impact, elapsed);
         planTurn(steered, t, gravity, impact.skims == Vec3(0.0) ? impact.surface.normal : Vec3(0.0), style);
     }
     return steered;
@@ -351,11 +354,9 @@ Impact steeredImpact(const Impact& impact, double t, const Vec3& velocity, const
 
 Pose impactPose(const Impact& impact, const Shape& shape, double t, double factor) {
     const double elapsed = t - impact.begun;
-    const double share =
-        (turnShare(impact.curve, impact.easing, elapsed) - impact.turn_from) / (1.0 - impact.turn_from);
     Pose in_frame;
     in_frame.stretch = factor * impact.curve.at(elapsed);
-    in_frame.orientation = rotationAbout(impact.turn_axis, impact.turn_angle * share) * impact.orientation;
+    in_frame.orientation = orientationAfter(impact, elapsed);
 
     // The contact's material point stays under the contact; then the body is moved along the normal until it touches.
     const Vec3 normal = impact.surface.normal;

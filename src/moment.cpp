@@ -413,10 +413,8 @@ void Moment::hitAtRest(const Met& met) {
     const Surface support = rest.surface;
     const ObstacleId held_by = body_.phase.obstacle;
     const bool presses = opposes(support.normalAt(t_), met.surface.normalAt(t_));
-    const auto& others = body_.phase.clear_of;
     // Under a press there is nowhere to be thrown to.
-    const bool pressed = std::any_of(others.begin(), others.end(), [](const KeptClear& kept) { return kept.presses; });
-    if (!presses && !pressed) {
+    if (!presses && !isPressed(body_.phase, t_)) {
         const Surface plane = support.solid ? separatingPlane(support, *body_.shape, pose(), t_) : support;
         Surface surface = met.surface;
         surface.solid = around_.obstacles[met.obstacle].shape;

@@ -302,6 +302,11 @@ const Surface* surfaceOf(const Phase& phase) {
     return rest != nullptr ? &rest->surface : nullptr;
 }
 
+bool isPressed(const Phase& phase, double t) {
+    return std::any_of(phase.clear_of.begin(), phase.clear_of.end(),
+                       [&](const KeptClear& kept) { return kept.presses && t <= kept.until; });
+}
+
 bool opposes(const Vec3& normal, const Vec3& other) {
     return glm::dot(normal, other) < 0.0 && wayAlong(normal, other) == Vec3(0.0);
 }
@@ -341,11 +346,6 @@ struct Fit {
     Pose pose;
     bool fits = true;
 };
-
-bool isPressed(const Phase& phase, double t) {
-    return std::any_of(phase.clear_of.begin(), phase.clear_of.end(),
-                       [&](const KeptClear& kept) { return kept.presses && t <= kept.until; });
-}
 
 /// Flatter or longer, whichever fits sooner; then as near to its own stretch as fits.
 Fit squeezed(const Phase& phase, const Shape& shape, double t, const Pose& unfit) {

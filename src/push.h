@@ -39,6 +39,9 @@ struct Barrier {
 /// The surface that a phase is about; null in flight.
 [[nodiscard]] const Surface* surfaceOf(const Phase& phase);
 
+/// Whether something closes on the body from the other side at time t.
+[[nodiscard]] bool isPressed(const Phase& phase, double t);
+
 /// Whether the second surface leaves a body on the first nowhere to go but flat: their normals all but oppose.
 [[nodiscard]] bool opposes(const Vec3& normal, const Vec3& other);
 

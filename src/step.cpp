@@ -115,9 +115,7 @@ double leftWithoutRoom(const BodySlot& body, double from, double to) {
     const bool moves =
         rest.surface.frame.moves() ||
         std::any_of(clear_of.begin(), clear_of.end(), [](const KeptClear& kept) { return kept.surface.frame.moves(); });
-    const bool pressed =
-        std::any_of(clear_of.begin(), clear_of.end(), [](const KeptClear& kept) { return kept.presses; });
-    if (clear_of.empty() || !moves || pressed || from >= to) {
+    if (clear_of.empty() || !moves || isPressed(body.phase, from) || from >= to) {
         return kNever;
     }
     const double blocked = blockedAt(body.phase, *body.shape, from, to);

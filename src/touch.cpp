@@ -158,7 +158,6 @@ double finish(const Approach& approach, double inside, double gap_inside, double
     Sample newest{inside, gap_inside - aim};
     Sample other{beyond, gap_beyond - aim};
     double share = gap_inside / (gap_inside - gap_beyond);
-    double gap = gap_inside;
     while (gap_inside > enough) {
         double t = newest.t + share * (other.t - newest.t);
         if (!(t > std::min(newest.t, other.t) && t < std::max(newest.t, other.t))) {
@@ -167,7 +166,7 @@ double finish(const Approach& approach, double inside, double gap_inside, double
                 break;
             }
         }
-        gap = approach.gap(t);
+        const double gap = approach.gap(t);
         if (gap >= 0.0) {
             inside = t;
             gap_inside = gap;

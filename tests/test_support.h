@@ -1,6 +1,7 @@
 // What tests share: seeded random numbers that are the same everywhere, and short ways to make worlds.
 #pragma once
 
+#include "../apps/seeded_random.h"
 #include "elastoon/timeline.h"
 #include "elastoon/world.h"
 
@@ -19,13 +20,10 @@ inline int soak() {
     return text != nullptr ? std::max(1, std::atoi(text)) : 1;
 }
 
-/// splitmix64: the same numbers on every machine.
-class Random {
+class Random : public SeededRandom {
 public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    double uniform(double low, double high) {
-        return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
-    }
+    using SeededRandom::SeededRandom;
+
     int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
     Vec3 inBox(double half) { return {uniform(-half, half), uniform(-half, half), uniform(-half, half)}; }
     Vec3 direction() {
@@ -46,16 +44,6 @@ public:
             }
         }
     }
-
-private:
-    std::uint64_t next() {
-        state_ += 0x9e3779b97f4a7c15ULL;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31);
-    }
-    std::uint64_t state_;
 };
 
 /// Lively and dull, by either law, queued in corners.

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
@@ -157,8 +156,6 @@ void bench(const BenchOptions& options) {
     if (!options.csv.empty()) {
         file.emplace(orFail(OutputFile::create(options.csv)));
     }
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(options.threads));
     fmt::print("{:<10} {:>9} {:>7} {:>10} {:>12} {:>12}  {}\n", "scene", "bodies", "threads", "steps/s", "ns/body/step",
                "bytes/body", "hash");
     std::vector<Row> rows;

@@ -14,28 +14,12 @@ namespace elastoon {
 
 namespace {
 
-using RealMat = std::array<RealVec, 3>; ///< rows
-
 Real dot(const RealVec& a, const RealVec& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-RealVec product(const RealMat& m, const RealVec& x) {
-    return {dot(m[0], x), dot(m[1], x), dot(m[2], x)};
-}
-
 RealVec realOf(const Vec3& v) {
     return {v.x, v.y, v.z};
-}
-
-RealMat rotationOf(const Quat& q) {
-    const Real w = q.w;
-    const Real x = q.x;
-    const Real y = q.y;
-    const Real z = q.z;
-    return {{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
-             {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
-             {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
 }
 
 /// Rodrigues' formula.
@@ -130,19 +114,11 @@ Real volumeOf(const Shape& shape, const std::vector<RealVec>& posed) {
 void Inspector::lookAt(const Track& track, const std::string& name, const Phase& phase, double t) {
     const Shape& shape = *track.shape();
     const Pose pose = poseAt(phase, shape, t);
-    const RealMat rotation = rotationOf(pose.orientation);
-    const Real across = 1 / std::sqrt(static_cast<Real>(pose.stretch));
     ++report.poses;
-    posed_.clear();
+    posed_ = posedVertices(shape, pose);
     Real sum = 0;
-    for (const Vec3& vertex : shape.vertices()) {
-        RealVec point =
-            product(rotation, {vertex.x * static_cast<Real>(pose.stretch), vertex.y * across, vertex.z * across});
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            point[axis] += realOf(pose.position)[axis];
-            sum += point[axis];
-        }
-        posed_.push_back(point);
+    for (const RealVec& point : posed_) {
+        sum += point[0] + point[1] + point[2];
     }
     if (!std::isfinite(sum)) {
         ++report.not_finite;
@@ -177,18 +153,6 @@ std::vector<RealVec> solidAt(const ObstacleDef& whole, double time) {
         vertices.push_back(point);
     }
     return vertices;
-}
-
-/// Least distance that two sets of points can have, by their boxes.
-Real boxGap(const std::vector<RealVec>& a, const std::vector<RealVec>& b) {
-    Real gap = -std::numeric_limits<Real>::infinity();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto less = [axis](const RealVec& p, const RealVec& q) { return p[axis] < q[axis]; };
-        const auto [low_a, high_a] = std::minmax_element(a.begin(), a.end(), less);
-        const auto [low_b, high_b] = std::minmax_element(b.begin(), b.end(), less);
-        gap = std::max({gap, (*low_b)[axis] - (*high_a)[axis], (*low_a)[axis] - (*high_b)[axis]});
-    }
-    return gap;
 }
 
 void Inspector::lookAtObstacle(const Track& track, const std::string& name, const Phase& phase, double t,

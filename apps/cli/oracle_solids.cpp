@@ -131,4 +131,46 @@ Real separationBySat(const PosedWitness& a, const PosedWitness& b) {
     return best;
 }
 
+RealMat rotationOf(const Quat& q) {
+    const Real w = q.w;
+    const Real x = q.x;
+    const Real y = q.y;
+    const Real z = q.z;
+    return {{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+             {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+             {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
+}
+
+RealVec product(const RealMat& m, const RealVec& x) {
+    return {dot(m[0], x), dot(m[1], x), dot(m[2], x)};
+}
+
+std::vector<RealVec> posedVertices(const Shape& shape, const Pose& pose) {
+    const RealMat rotation = rotationOf(pose.orientation);
+    const Real across = 1 / std::sqrt(static_cast<Real>(pose.stretch));
+    const RealVec position{pose.position.x, pose.position.y, pose.position.z};
+    std::vector<RealVec> vertices;
+    vertices.reserve(shape.vertices().size());
+    for (const Vec3& vertex : shape.vertices()) {
+        RealVec point =
+            product(rotation, {vertex.x * static_cast<Real>(pose.stretch), vertex.y * across, vertex.z * across});
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            point[axis] += position[axis];
+        }
+        vertices.push_back(point);
+    }
+    return vertices;
+}
+
+Real boxGap(const std::vector<RealVec>& a, const std::vector<RealVec>& b) {
+    Real gap = -std::numeric_limits<Real>::infinity();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto less = [axis](const RealVec& p, const RealVec& q) { return p[axis] < q[axis]; };
+        const auto [low_a, high_a] = std::minmax_element(a.begin(), a.end(), less);
+        const auto [low_b, high_b] = std::minmax_element(b.begin(), b.end(), less);
+        gap = std::max({gap, (*low_b)[axis] - (*high_a)[axis], (*low_a)[axis] - (*high_b)[axis]});
+    }
+    return gap;
+}
+
 } // namespace elastoon

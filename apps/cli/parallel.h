@@ -1,11 +1,11 @@
-// The program's threads: oneTBB behind the library's interface.
+// Threads of the program and of the benchmark: oneTBB behind the library's interface.
 #pragma once
 
 #include "elastoon/world.h"
 
 namespace elastoon {
 
-/// Runs ranges on TBB's threads; empty for one. How many they are is up to tbb::global_control.
+/// Runs ranges on so many of TBB's threads, which live as long as what is returned; empty for one.
 [[nodiscard]] ParallelFor onThreads(int threads);
 
 } // namespace elastoon

@@ -7,7 +7,6 @@
 #include "video.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
@@ -80,8 +79,6 @@ void simulate(const SimulateOptions& options) {
     checkOutputs(options);
     const Scene scene = loadScene(options.scene, options.style);
     const double duration = options.duration < 0.0 ? scene.duration : options.duration;
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(options.threads));
     Performance performance{orFail(stage(scene, onThreads(options.threads)), kExitBadUse), {}};
     long steps = 0;
     const double seconds = run(options, duration, performance, steps);

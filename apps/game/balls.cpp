@@ -47,6 +47,17 @@ Vec3 unit(const Vec3& v, const Vec3& otherwise) {
     return length > 1e-9 ? v / length : otherwise;
 }
 
+/// Where and how fast something was hit, for the view.
+GameEvent hitOf(GameEventKind kind, std::uint32_t id, const elastoon::Event& event) {
+    return {.kind = kind,
+            .id = id,
+            .x = event.point.x,
+            .y = event.point.y,
+            .normal_x = event.normal.x,
+            .normal_y = event.normal.y,
+            .speed = event.speed};
+}
+
 } // namespace
 
 /// The level's speed, with gravity less the higher it is: nothing crawls, and every ball reaches the ceiling.
@@ -133,13 +144,7 @@ void Game::meet(const elastoon::Event& event) {
     if (LiveBlock* block = blockOf(event.other)) {
         hitBlock(ball, *block, event);
     } else {
-        note({.kind = GameEventKind::WallHit,
-              .id = ball.id,
-              .x = event.point.x,
-              .y = event.point.y,
-              .normal_x = event.normal.x,
-              .normal_y = event.normal.y,
-              .speed = event.speed});
+        note(hitOf(GameEventKind::WallHit, ball.id, event));
     }
     const Vec3 position = world_->pose(ball.body).position;
     steer(ball, wayAfter(ball, event) * speedAt(ball, position.y));
@@ -156,13 +161,7 @@ void Game::hitPaddle(Ball& ball, const elastoon::Event& event) {
     direction = bentToBlocks(position, direction);
     paddle_.response = Response(*elastoon::styleNamed("mochi"), 2.0 * kPaddleHeight, event.speed, event.time,
                                 {0.0, 1.0, 0.0}, {paddle_.x, kPaddleFoot + kPaddleHeight + kPaddleDome, 0.0});
-    note({.kind = GameEventKind::PaddleHit,
-          .id = ball.id,
-          .x = event.point.x,
-          .y = event.point.y,
-          .normal_x = event.normal.x,
-          .normal_y = event.normal.y,
-          .speed = event.speed});
+    note(hitOf(GameEventKind::PaddleHit, ball.id, event));
     steer(ball, direction * speedAt(ball, position.y));
 }
 
@@ -178,15 +177,10 @@ void Game::hitBlock(Ball& ball, LiveBlock& block, const elastoon::Event& event) 
         --block.hits_left;
         block.dying = block.hits_left <= 0;
     }
-    note({.kind = GameEventKind::BlockHit,
-          .block = block.kind,
-          .id = block.id,
-          .x = event.point.x,
-          .y = event.point.y,
-          .normal_x = event.normal.x,
-          .normal_y = event.normal.y,
-          .speed = event.speed,
-          .value = block.hits_left});
+    GameEvent hit = hitOf(GameEventKind::BlockHit, block.id, event);
+    hit.block = block.kind;
+    hit.value = block.hits_left;
+    note(hit);
 }
 
 /// The direction in which the library throws it back, never too flat; another one where it went round in circles.

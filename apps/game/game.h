@@ -2,8 +2,8 @@
 // drawing, no clock; the same seed and inputs give the same game on every machine. docs/game.md.
 #pragma once
 
+#include "../seeded_random.h"
 #include "level.h"
-#include "random.h"
 #include "response.h"
 #include "tuning.h"
 
@@ -16,6 +16,8 @@
 #include <vector>
 
 namespace squashout {
+
+using Random = elastoon::SeededRandom;
 
 using elastoon::BodyId;
 using elastoon::ObstacleId;

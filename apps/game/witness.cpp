@@ -11,43 +11,6 @@ namespace squashout {
 using elastoon::Real;
 using elastoon::RealVec;
 
-namespace {
-
-/// The shape's vertices under rotation, scale and shift, all in extended precision.
-std::vector<RealVec> posed(const elastoon::Shape& shape, const elastoon::Quat& q, double stretch, const Vec3& shift) {
-    const Real w = q.w;
-    const Real x = q.x;
-    const Real y = q.y;
-    const Real z = q.z;
-    const Real across = 1 / std::sqrt(static_cast<Real>(stretch));
-    std::vector<RealVec> vertices;
-    vertices.reserve(shape.vertices().size());
-    for (const Vec3& vertex : shape.vertices()) {
-        const Real a = vertex.x * static_cast<Real>(stretch);
-        const Real b = vertex.y * across;
-        const Real c = vertex.z * across;
-        vertices.push_back(
-            {(1 - 2 * (y * y + z * z)) * a + 2 * (x * y - w * z) * b + 2 * (x * z + w * y) * c + shift.x,
-             2 * (x * y + w * z) * a + (1 - 2 * (x * x + z * z)) * b + 2 * (y * z - w * x) * c + shift.y,
-             2 * (x * z - w * y) * a + 2 * (y * z + w * x) * b + (1 - 2 * (x * x + y * y)) * c + shift.z});
-    }
-    return vertices;
-}
-
-/// Least distance that two sets of points can have, by their boxes.
-Real boxGap(const std::vector<RealVec>& a, const std::vector<RealVec>& b) {
-    Real gap = -1e9L;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto less = [axis](const RealVec& p, const RealVec& q) { return p[axis] < q[axis]; };
-        const auto [low_a, high_a] = std::minmax_element(a.begin(), a.end(), less);
-        const auto [low_b, high_b] = std::minmax_element(b.begin(), b.end(), less);
-        gap = std::max({gap, (*low_b)[axis] - (*high_a)[axis], (*low_a)[axis] - (*high_b)[axis]});
-    }
-    return gap;
-}
-
-} // namespace
-
 void Seen::add(const Seen& other) {
     if (other.solid_depth > solid_depth) {
         deepest_where = other.deepest_where;
@@ -71,7 +34,7 @@ void Witness::lookAt(const Game& game, const Ball& ball, const elastoon::Phase& 
     const elastoon::World& world = game.world();
     const elastoon::ShapePtr& shape = world.shape(ball.body);
     const elastoon::Pose pose = elastoon::poseAt(phase, *shape, t);
-    const std::vector<RealVec> vertices = posed(*shape, pose.orientation, pose.stretch, pose.position);
+    const std::vector<RealVec> vertices = elastoon::posedVertices(*shape, pose);
     ++seen_.looks;
     const double length = shape->length();
     for (const RealVec& vertex : vertices) {
@@ -95,8 +58,8 @@ void Witness::lookAt(const Game& game, const Ball& ball, const elastoon::Phase& 
             continue;
         }
         // Boxes first: all candidate axes take long.
-        const std::vector<RealVec> other = posed(*solid, frame.orientationAt(t), 1.0, middle);
-        if (boxGap(vertices, other) > 0) {
+        const std::vector<RealVec> other = elastoon::posedVertices(*solid, {middle, frame.orientationAt(t), 1.0});
+        if (elastoon::boxGap(vertices, other) > 0) {
             continue;
         }
         const Real gap = elastoon::separationBySat({&solidOf(shape), vertices}, {&solidOf(solid), other});

@@ -1,13 +1,14 @@
-// splitmix64: the same numbers on every machine.
+// splitmix64: seeded random numbers that are the same on every machine, for the game, the benchmark and the tests.
 #pragma once
 
 #include <cstdint>
 
-namespace squashout {
+namespace elastoon {
 
-class Random {
+class SeededRandom {
 public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
+    explicit SeededRandom(std::uint64_t seed) : state_(seed) {}
+
     [[nodiscard]] std::uint64_t next() {
         state_ += 0x9e3779b97f4a7c15ULL;
         std::uint64_t z = state_;
@@ -25,4 +26,4 @@ private:
     std::uint64_t state_;
 };
 
-} // namespace squashout
+} // namespace elastoon
