@@ -98,6 +98,24 @@ double gapTo(const Surface& surface, const Shape& shape, const Pose& pose, doubl
     return glm::dot(normal, pose.position - surface.pointAt(t)) - reachTowards(shape, pose, -normal);
 }
 
+bool isOverFace(const Shape& solid, std::size_t face, const Vec3& point) {
+    const Vec3& normal = solid.topology().face_normals[face];
+    const auto loop = solid.face(face);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec3& tail = solid.vertices()[loop[i]];
+        const Vec3& head = solid.vertices()[loop[i + 1 < loop.size() ? i + 1 : 0]];
+        if (glm::dot(glm::cross(normal, head - tail), point - tail) < 0.0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+Vec3 furthestPoint(const Shape& shape, const Pose& pose, const Vec3& direction) {
+    const Vec3 in_shape = scaleOf(pose.stretch) * (glm::conjugate(pose.orientation) * direction);
+    return worldFromShape(pose, shape.vertices()[supportOf(shape, in_shape)]);
+}
+
 std::optional<double> liftOntoFace(const Surface& surface, const Shape& shape, const Pose& pose_in_frame) {
     constexpr std::size_t kMostFaces = 64;
     constexpr double kSameNormal = 1e-9;
@@ -110,17 +128,12 @@ std::optional<double> liftOntoFace(const Surface& surface, const Shape& shape, c
     if (normals.size() > kMostFaces || face == normals.end()) {
         return std::nullopt;
     }
-    const Vec3 down = scaleOf(pose_in_frame.stretch) * (glm::conjugate(pose_in_frame.orientation) * -surface.normal);
-    const Vec3 lowest = worldFromShape(pose_in_frame, shape.vertices()[supportOf(shape, down)]);
-    const auto loop = solid.face(static_cast<std::size_t>(face - normals.begin()));
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec3& tail = solid.vertices()[loop[i]];
-        const Vec3& head = solid.vertices()[loop[i + 1 < loop.size() ? i + 1 : 0]];
-        if (glm::dot(glm::cross(surface.normal, head - tail), lowest - tail) < 0.0) {
-            return std::nullopt;
-        }
+    const Vec3 lowest = furthestPoint(shape, pose_in_frame, -surface.normal);
+    const auto index = static_cast<std::size_t>(face - normals.begin());
+    if (!isOverFace(solid, index, lowest)) {
+        return std::nullopt;
     }
-    return glm::dot(*face, solid.vertices()[loop[0]] - lowest) / glm::dot(*face, surface.normal);
+    return glm::dot(*face, solid.vertices()[solid.face(index)[0]] - lowest) / glm::dot(*face, surface.normal);
 }
 
 double liftToTouch(const Surface& surface, const Shape& shape, const Pose& pose_in_frame) {

@@ -10,6 +10,12 @@ namespace elastoon {
 /// How far the body reaches from its centroid along `direction` (world, unit), m.
 [[nodiscard]] double reachTowards(const Shape& shape, const Pose& pose, const Vec3& direction);
 
+/// The furthest point of the body in `direction` (world, any length). Of several, one.
+[[nodiscard]] Vec3 furthestPoint(const Shape& shape, const Pose& pose, const Vec3& direction);
+
+/// Whether the point, seen along the face's normal, lies on the solid's face; all in the solid's frame.
+[[nodiscard]] bool isOverFace(const Shape& solid, std::size_t face, const Vec3& point);
+
 /// How far the body must be moved along the surface's normal (both in the frame, m) so that it just touches the solid,
 /// or the plane where there is none or the body passes it by. Negative where it is clear.
 [[nodiscard]] double liftToTouch(const Surface& surface, const Shape& shape, const Pose& pose_in_frame);

@@ -3,6 +3,7 @@
 #include "matrix_table.h"
 
 #include "flight.h"
+#include "prefetch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,7 +181,24 @@ void MatrixTable::takeChanges(double t, const std::vector<BodySlot>& bodies, con
     all_changed_ = false;
 }
 
+/// Calls what(body) for those of the block whose pose is asked for, one by one.
+template <class What>
+void MatrixTable::forPosed(std::size_t index, double t, const std::vector<BodySlot>& bodies, What&& what) const {
+    if (index >= blocks_.size()) {
+        return;
+    }
+    const Block& block = blocks_[index];
+    const std::size_t count = std::min(kLanes, bodies.size() - index * kLanes);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (block.kinds[i] == Kind::Posed || (block.kinds[i] == Kind::Lane && t < block.lane_from[i])) {
+            what(bodies[index * kLanes + i]);
+        }
+    }
+}
+
 void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<BodySlot>& bodies) {
+    forPosed(index + 4, t, bodies, prefetchSlot);
+    forPosed(index + 2, t, bodies, prefetchRest);
     const Block& block = blocks_[index];
     const std::size_t first = index * kLanes;
     const std::size_t count = std::min(kLanes, bodies.size() - first);

@@ -47,6 +47,8 @@ private:
     };
     void take(std::size_t slot, const BodySlot& body, double t);
     void takeChanges(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity);
+    template <class What>
+    void forPosed(std::size_t index, double t, const std::vector<BodySlot>& bodies, What&& what) const;
     void writeBlock(std::size_t index, double t, const std::vector<BodySlot>& bodies);
     void writePose(std::size_t slot, const BodySlot& body, double t);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace elastoon {
 
@@ -43,6 +44,7 @@ double unionArea(const Box& a, const Box& b) {
 int ObstacleTree::makeNode() {
     if (free_.empty()) {
         nodes_.emplace_back();
+        forks_.emplace_back();
         return static_cast<int>(nodes_.size()) - 1;
     }
     const int node = free_.back();
@@ -67,15 +69,20 @@ bool ObstacleTree::contains(std::size_t index) const {
     return index < leaf_of_.size() && leaf_of_[index] != kNone;
 }
 
+void ObstacleTree::setParent(int child, int parent) {
+    at(child).parent = parent;
+    forks_[asSize(child)].parent = parent;
+}
+
 void ObstacleTree::setChild(int parent, int slot, int child) {
     at(parent).children[slot] = child;
-    at(child).parent = parent;
+    setParent(child, parent);
 }
 
 void ObstacleTree::replaceChild(int parent, int old_child, int new_child) {
     if (parent == kNone) {
         root_ = new_child;
-        at(new_child).parent = kNone;
+        setParent(new_child, kNone);
     } else {
         setChild(parent, at(parent).children[0] == old_child ? 0 : 1, new_child);
     }
@@ -87,6 +94,26 @@ void ObstacleTree::refit(int node) {
     const Node& b = at(here.children[1]);
     here.box = unionOf(a.box, b.box);
     here.height = 1 + std::max(a.height, b.height);
+    Fork& fork = forks_[asSize(node)];
+    fork.boxes = {outwards(a.box), outwards(b.box)};
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const int child = here.children[slot];
+        fork.children[slot] = at(child).isLeaf() ? ~child : child;
+    }
+}
+
+ObstacleTree::FloatBox ObstacleTree::outwards(const Box& box) {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    FloatBox coarse{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const auto low = static_cast<float>(std::clamp(box.low[axis], -kMost, kMost));
+        const auto high = static_cast<float>(std::clamp(box.high[axis], -kMost, kMost));
+        coarse.low[i] = low > box.low[axis] ? std::nextafter(low, -kFar) : low;
+        coarse.high[i] = high < box.high[axis] ? std::nextafter(high, kFar) : high;
+    }
+    return coarse;
 }
 
 /// Where a new leaf adds the least area to the tree: descends as long as a child promises less than stopping.
@@ -114,7 +141,7 @@ int ObstacleTree::bestSibling(const Box& box) const {
 void ObstacleTree::addLeaf(int leaf) {
     if (root_ == kNone) {
         root_ = leaf;
-        at(leaf).parent = kNone;
+        setParent(leaf, kNone);
         return;
     }
     const int sibling = bestSibling(at(leaf).box);
@@ -257,6 +284,7 @@ void ObstacleTree::build(std::span<const IndexedBox> boxes) {
         }
     }
     nodes_.reserve(2 * leaves.size());
+    forks_.reserve(2 * leaves.size());
     if (!leaves.empty()) {
         split(leaves, kNone, 0);
     }
@@ -336,6 +364,7 @@ void ObstacleTree::split(std::span<int> leaves, int parent, int slot) {
         const int node = part.leaves.size() == 1 ? part.leaves[0] : makeNode();
         if (part.parent == kNone) {
             root_ = node;
+            setParent(node, kNone);
         } else {
             setChild(part.parent, part.slot, node);
         }

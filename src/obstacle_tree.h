@@ -3,6 +3,7 @@
 
 #include "elastoon/math.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <type_traits>
@@ -58,13 +59,16 @@ public:
     /// false. Gives the number of nodes looked at.
     template <class Visitor>
     std::size_t query(const Box& box, Visitor&& visitor) const {
-        return walk([&](const Box& other) { return meet(box, other); }, visitor);
+        const FloatBox around = outwards(box);
+        return walk([&](const FloatBox& other) { return meet(around, other); },
+                    [&](const Box& other) { return meet(box, other); }, visitor);
     }
     /// The same for a box that moves from where it is along `way` in a straight line: for ways that are long and aslant
     /// it finds far fewer than the box around all of the way. Boxes within rounding of it may be found too.
     template <class Visitor>
     std::size_t sweep(const Box& box, const Vec3& way, Visitor&& visitor) const {
-        return walk([&](const Box& other) { return sweepMeets(box, way, other); }, visitor);
+        return walk([&](const FloatBox& other) { return sweepMeets(box, way, wide(other)); },
+                    [&](const Box& other) { return sweepMeets(box, way, other); }, visitor);
     }
     /// The indices whose boxes meet this one, ascending, in place of what `found` held.
     void meeting(const Box& box, std::vector<std::size_t>& found) const;
@@ -82,6 +86,26 @@ private:
         [[nodiscard]] bool isLeaf() const { return children[0] == kNone; }
     };
 
+    /// Coarser, but never smaller than what it stands for.
+    struct FloatBox {
+        std::array<float, 3> low, high;
+    };
+    /// What a query reads of a node that is no leaf: its two children, in one line of the cache.
+    struct alignas(64) Fork {
+        std::array<FloatBox, 2> boxes;
+        std::array<int, 2> children; ///< of leaves the complement
+        int parent;
+    };
+
+    static FloatBox outwards(const Box& box);
+    static Box wide(const FloatBox& box) {
+        return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
+    }
+    static bool meet(const Box& a, const Box& b) { return elastoon::meet(a, b); }
+    static bool meet(const FloatBox& a, const FloatBox& b) {
+        return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] && b.low[1] <= a.high[1] &&
+               a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
+    }
     static std::size_t asSize(int i) { return static_cast<std::size_t>(i); }
     static bool sweepMeets(const Box& box, const Vec3& way, const Box& other);
     Node& at(int node) { return nodes_[asSize(node)]; }
@@ -94,6 +118,7 @@ private:
     void dropLeaf(int leaf);
     void refit(int node);
     void refitUpwards(int node);
+    void setParent(int child, int parent);
     void setChild(int parent, int slot, int child);
     void replaceChild(int parent, int old_child, int new_child);
     void exchange(int node, int child, int grandchild);
@@ -101,36 +126,55 @@ private:
     void rotate(int node);
     void split(std::span<int> leaves, int parent, int slot);
 
-    /// Goes over the tree from parent to child and back, so it needs no stack, however deep the tree is.
-    template <class Meets, class Visitor>
-    std::size_t walk(Meets&& meets, Visitor&& visitor) const {
+    /// Goes over the tree from parent to child and back, so it needs no stack, however deep the tree is. What is far
+    /// is told by the coarse boxes, what is found by the exact ones.
+    template <class MayMeet, class Meets, class Visitor>
+    std::size_t walk(MayMeet&& may_meet, Meets&& meets, Visitor&& visitor) const {
         std::size_t looked_at = 0;
+        /// False where the visitor stops the query.
+        const auto visit = [&](int leaf) {
+            if (!meets(at(leaf).box)) {
+                return true;
+            }
+            if constexpr (std::is_void_v<decltype(visitor(std::size_t{}))>) {
+                visitor(static_cast<std::size_t>(at(leaf).index));
+                return true;
+            } else {
+                return visitor(static_cast<std::size_t>(at(leaf).index));
+            }
+        };
+        if (root_ != kNone && at(root_).isLeaf()) {
+            visit(root_);
+            return 1;
+        }
         int node = root_;
+        std::size_t slot = 0;
         while (node != kNone) {
+            const Fork& fork = forks_[asSize(node)];
+            if (slot == fork.boxes.size()) {
+                const int below = node;
+                node = fork.parent;
+                slot = node != kNone && forks_[asSize(node)].children[0] == below ? 1 : 2;
+                continue;
+            }
             ++looked_at;
-            const Node& here = at(node);
-            if (meets(here.box)) {
-                if (!here.isLeaf()) {
-                    node = here.children[0];
-                    continue;
-                }
-                if constexpr (std::is_void_v<decltype(visitor(std::size_t{}))>) {
-                    visitor(static_cast<std::size_t>(here.index));
-                } else if (!visitor(static_cast<std::size_t>(here.index))) {
-                    return looked_at;
-                }
+            const bool may = may_meet(fork.boxes[slot]);
+            const int child = fork.children[slot];
+            if (may && child >= 0) {
+                node = child;
+                slot = 0;
+                continue;
             }
-            int parent = here.parent;
-            while (parent != kNone && at(parent).children[1] == node) {
-                node = parent;
-                parent = at(node).parent;
+            if (may && !visit(~child)) {
+                return looked_at;
             }
-            node = parent == kNone ? kNone : at(parent).children[1];
+            ++slot;
         }
         return looked_at;
     }
 
     std::vector<Node> nodes_;
+    std::vector<Fork> forks_; ///< by node; of leaves unused
     std::vector<int> free_;
     std::vector<int> leaf_of_; ///< by index
     int root_ = kNone;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace elastoon {
 
@@ -96,10 +97,11 @@ Met earliestNear(const Surroundings& around, const BodySlot& body, double from, 
 
 /// When a flight stops being kept clear of a surface while it still needs it: what it has been pushed aside then
 /// becomes its way.
-double leavingEndsPushed(const BodySlot& body) {
+double leavingEndsPushed(const BodySlot& body, double from) {
     double first = kNever;
     for (const KeptClear& kept : body.phase.clear_of) {
-        if (kept.until >= body.phase.start && kept.until < first) {
+        const bool counts = kept.until >= from && kept.until < body.phase.free_from;
+        if (counts && kept.until < first) {
             const Pose unpushed = ownPose(body.phase, *body.shape, kept.until);
             first = gapTo(kept.surface, *body.shape, unpushed, kept.until) < 0.0 ? kept.until : first;
         }
@@ -162,7 +164,7 @@ Plan nextEvent(const Surroundings& around, const BodySlot& body, double from, do
         return plan;
     };
     if (body.phase.is<Flight>()) {
-        const double pushed_until = leavingEndsPushed(body);
+        const double pushed_until = leavingEndsPushed(body, from);
         return meet(earliestTouch(around, body, from, std::min(to, pushed_until)))
                    ? plan
                    : otherwise(pushed_until, Plan::Kind::FlyOn);
@@ -253,7 +255,8 @@ double advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double
             planAhead(around, body, t);
             continue;
         }
-        const Plan plan = body.plan;
+        // What it carries out begins a phase, which has no plan yet.
+        const Plan plan = std::exchange(body.plan, {});
         ++events;
         at_once = plan.time > t ? 0 : at_once + 1;
         t = std::max(t, plan.time);

@@ -97,8 +97,7 @@ struct Surroundings {
     void exclude(std::size_t slot);
     /// Grows the boxes of moving solids to where they will be within [from, to + kAhead].
     void prepareStep(double from, double to);
-    /// Slots of the obstacles that a body may touch within [from, to]: all planes, and the solids near its
-    /// way.
+    /// Slots of the obstacles that a body may touch or come near to within [from, to], ascending: those near its way.
     void near(const Phase& phase, const Shape& shape, double from, double to, std::vector<std::size_t>& found) const;
 };
 

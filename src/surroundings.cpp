@@ -49,14 +49,34 @@ void Surroundings::prepareStep(double from, double to) {
     }
 }
 
+namespace {
+
+/// Whether anything of the box is below the plane, which stands.
+bool reaches(const Box& box, const ObstacleSlot& plane) {
+    const Vec3 normal = plane.frame.orientation * plane.normal;
+    const Vec3 lowest(normal.x > 0.0 ? box.low.x : box.high.x, normal.y > 0.0 ? box.low.y : box.high.y,
+                      normal.z > 0.0 ? box.low.z : box.high.z);
+    return glm::dot(normal, lowest - plane.frame.origin) <= 0.0;
+}
+
+} // namespace
+
 void Surroundings::near(const Phase& phase, const Shape& shape, double from, double to,
                         std::vector<std::size_t>& found) const {
     found.clear();
+    // Past all that counts as near.
+    const double margin = 0.01 * shape.length();
+    Box box = sweptBox(phase, shape, from, to);
+    box = {box.low - margin, box.high + margin};
     if (solids.size() > 0) {
-        solids.meeting(sweptBox(phase, shape, from, to), found);
+        solids.meeting(box, found);
     }
     const auto middle = static_cast<std::ptrdiff_t>(found.size());
-    found.insert(found.end(), planes.begin(), planes.end());
+    for (const std::size_t slot : planes) {
+        if (obstacles[slot].frame.moves() || reaches(box, obstacles[slot])) {
+            found.push_back(slot);
+        }
+    }
     std::inplace_merge(found.begin(), found.begin() + middle, found.end());
 }
 

@@ -24,6 +24,8 @@ constexpr double kExact = 1e-13;
 /// Penetrations up to this share of the length are rounding.
 constexpr double kRounding = 1e-6;
 constexpr int kMostAdvances = 10000;
+/// A flight is pushed off what it leaves by no more than this times its reach and the push's gain.
+constexpr double kPushReach = 4.0;
 
 /// One flight against one plane.
 struct Approach {
@@ -87,13 +89,14 @@ double timeToZero(double height, double speed, double pull) {
 }
 
 bool Approach::staysFar(double from, double to) const {
-    const bool pushed = !phase.clear_of.empty() && from < phase.free_from;
-    if (pushed || surface.frame.angular_velocity != Vec3(0.0)) {
+    if (surface.frame.angular_velocity != Vec3(0.0)) {
         return false;
     }
     const double longest = std::max(flight.max_stretch, flight.ease.stretch);
     const double flattest = std::min(1.0, flight.ease.stretch);
-    const double reach = shape.boundingRadius() * std::max(longest, 1.0 / std::sqrt(flattest));
+    const double widest = shape.boundingRadius() * std::max(longest, 1.0 / std::sqrt(flattest));
+    const bool pushed = !phase.clear_of.empty() && from < phase.free_from;
+    const double reach = widest * (pushed ? 1.0 + kPushReach * pushGain(phase, from) : 1.0);
     const double elapsed = from - phase.start;
     const double span = to - from;
     const Vec3 normal = surface.frame.orientation * surface.normal;
@@ -260,17 +263,17 @@ std::optional<double> advance(const Approach& approach, double from, double to, 
 std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface, double from,
                                  double to, double give_up) {
     const Approach approach{flight, flight.get<Flight>(), shape, surface};
-    if (approach.staysFar(from, to)) {
-        return std::nullopt;
-    }
+    double begin = from;
     // While it is pushed it has no simple way; that lasts a short time only.
     if (!flight.clear_of.empty() && flight.free_from > from && flight.free_from < to) {
-        if (const auto touch = advance(approach, from, flight.free_from, give_up)) {
-            return touch;
+        if (!approach.staysFar(from, flight.free_from)) {
+            if (const auto touch = advance(approach, from, flight.free_from, give_up)) {
+                return touch;
+            }
         }
-        return advance(approach, flight.free_from, to, give_up);
+        begin = flight.free_from;
     }
-    return advance(approach, from, to, give_up);
+    return approach.staysFar(begin, to) ? std::nullopt : advance(approach, begin, to, give_up);
 }
 
 double freeFrom(const Phase& flight, const Shape& shape) {
@@ -360,7 +363,7 @@ double ballsApartUntil(const Phase& phase, const Shape& shape, const Shape& soli
     const double speed = bounds.speed + glm::length(frame.velocity);
     const bool pushed = !phase.clear_of.empty() && from < phase.free_from;
     const double reach =
-        bounds.reach + solid.boundingRadius() + (pushed ? 4.0 * pushGain(phase, from) * bounds.reach : 0.0);
+        bounds.reach + solid.boundingRadius() + (pushed ? kPushReach * pushGain(phase, from) * bounds.reach : 0.0);
     constexpr int kMostLooks = 16;
     double t = from;
     for (int i = 0; i < kMostLooks && t < to; ++i) {
@@ -375,14 +378,20 @@ double ballsApartUntil(const Phase& phase, const Shape& shape, const Shape& soli
     return std::min(t, to);
 }
 
-/// Until when one of the solid's faces has the bounding ball's whole way before it, within [from, to]; at least `from`.
-double faceApartUntil(const Phase& phase, const Shape& shape, const Shape& solid, const MovingFrame& frame, double from,
-                      double to) {
+/// The face that has the bounding ball's whole way before it for longest, from `from` on.
+struct FaceAhead {
+    std::size_t face;
+    double until; ///< at most the end of the time asked for
+};
+
+/// None where the ball is before no face, or where the faces cannot tell.
+std::optional<FaceAhead> faceAhead(const Phase& phase, const Shape& shape, const Shape& solid, const MovingFrame& frame,
+                                   double from, double to) {
     constexpr std::size_t kMostFaces = 32;
     const auto& normals = solid.topology().face_normals;
     const bool pushed = !phase.clear_of.empty() && from < phase.free_from;
     if (pushed || frame.angular_velocity != Vec3(0.0) || normals.size() > kMostFaces) {
-        return from;
+        return std::nullopt;
     }
     const auto& flight = phase.get<Flight>();
     const double elapsed = from - phase.start;
@@ -393,15 +402,29 @@ double faceApartUntil(const Phase& phase, const Shape& shape, const Shape& solid
     const Vec3 velocity = frame_from_world * (flightVelocity(flight, elapsed) - frame.velocity);
     const Vec3 gravity = frame_from_world * flight.gravity;
     constexpr double kShare = 1.0 - 1e-9;
-    double latest = from;
+    std::optional<FaceAhead> latest;
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const double height = glm::dot(normals[i], in_frame - solid.vertices()[solid.face(i)[0]]) - reach;
         if (height > 0.0) {
             const double span = timeToZero(height, glm::dot(normals[i], velocity), glm::dot(normals[i], gravity));
-            latest = std::max(latest, from + kShare * span);
+            const double until = std::min(to, from + kShare * span);
+            if (!latest || until > latest->until) {
+                latest = {i, until};
+            }
         }
     }
-    return std::min(latest, to);
+    return latest;
+}
+
+/// The plane of the solid's face.
+Surface facePlane(const ShapePtr& solid, const MovingFrame& frame, std::size_t face) {
+    return {frame, solid->vertices()[solid->face(face)[0]], solid->topology().face_normals[face], solid};
+}
+
+/// That the body, which touches the face's plane, does so within the face.
+bool touchesFace(const Surface& plane, std::size_t face, const Shape& shape, const Pose& pose, double t) {
+    const Vec3 lowest = furthestPoint(shape, pose, -plane.normalAt(t));
+    return isOverFace(*plane.solid, face, plane.frame.frameFromWorld(t, lowest));
 }
 
 /// Directions in which a body that touches a solid may lie from it.
@@ -419,12 +442,19 @@ std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, co
                                      const MovingFrame& frame, double from, double to, ClosestSeed& seed,
                                      double give_up) {
     double t = ballsApartUntil(flight, shape, *solid, frame, from, to);
-    t = t < to ? faceApartUntil(flight, shape, *solid, frame, t, to) : t;
     if ((t >= to && to > from) || t > give_up) {
         return std::nullopt;
     }
     // A plane between the two keeps them apart until the body touches it; then a better plane is sought.
-    Surface plane;
+    std::optional<Surface> plane;
+    if (const auto ahead = faceAhead(flight, shape, *solid, frame, t, to)) {
+        plane = facePlane(solid, frame, ahead->face);
+        const std::optional<double> next = firstTouch(flight, shape, *plane, ahead->until, to, give_up);
+        if (!next || touchesFace(*plane, ahead->face, shape, poseAt(flight, shape, *next), *next)) {
+            return next ? std::optional(Touch{*next, *plane}) : std::nullopt;
+        }
+        t = *next;
+    }
     for (int i = 0; i < kMostAdvances; ++i) {
         const Pose pose = poseAt(flight, shape, t);
         const Closest closest = closestPoints(posed(shape, pose), posed(solid, frame, t), seed);
@@ -432,27 +462,41 @@ std::optional<Touch> firstSolidTouch(const Phase& flight, const Shape& shape, co
         // At the touch itself the plane that led there parts the two; a vanishing distance has no direction.
         if (!touches) {
             plane = supportingPlane(solid, frame, (closest.point_a - closest.point_b) / closest.distance, t);
-        } else if (i == 0) {
+        } else if (!plane) {
             plane = partingPlane(shape, pose, solid, frame, t, hintsOf(flight, pose, frame, t));
         }
         if (touches) {
-            return Touch{t, plane};
+            return Touch{t, *plane};
         }
-        const std::optional<double> next = firstTouch(flight, shape, plane, t, to, give_up);
+        const std::optional<double> next = firstTouch(flight, shape, *plane, t, to, give_up);
         if (!next) {
             return std::nullopt;
         }
         if (*next <= t) {
-            return Touch{t, plane};
+            return Touch{t, *plane};
         }
         t = *next;
     }
     return std::nullopt;
 }
 
+namespace {
+
+/// That the surface's plane holds a face of its solid, and the body touches it there.
+bool isOnItsFace(const Surface& surface, const Shape& shape, const Pose& pose, double t) {
+    const Quat frame_from_world = glm::conjugate(surface.frame.orientationAt(t));
+    const Pose in_frame{surface.frame.frameFromWorld(t, pose.position), frame_from_world * pose.orientation,
+                        pose.stretch};
+    const auto lift = liftOntoFace(surface, shape, in_frame);
+    return lift && std::fabs(*lift) <= kRounding * shape.length();
+}
+
+} // namespace
+
 Surface separatingPlane(const Surface& surface, const Shape& shape, const Pose& pose, double t) {
     Surface plane = surface;
-    if (surface.solid) {
+    plane.solid = nullptr;
+    if (surface.solid && !isOnItsFace(surface, shape, pose, t)) {
         const std::array hints{surface.normalAt(t), centerLine(pose, surface.frame.originAt(t))};
         plane = partingPlane(shape, pose, surface.solid, surface.frame, t, hints);
         plane.solid = nullptr;

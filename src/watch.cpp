@@ -72,11 +72,26 @@ Touch stepBack(const Phase& phase, const Shape& shape, const Watched& watched, d
     }
 }
 
+/// That the ball lies before one of the solid's faces, in its frame; false too where it has many.
+bool isBeforeAFace(const Shape& solid, const Vec3& center, double radius) {
+    constexpr std::size_t kMostFaces = 32;
+    const auto& normals = solid.topology().face_normals;
+    for (std::size_t i = 0; i < normals.size() && normals.size() <= kMostFaces; ++i) {
+        if (glm::dot(normals[i], center - solid.vertices()[solid.face(i)[0]]) > radius) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// That nothing of the impact's body, which goes no further than `ball` from the contact, comes near to it.
 bool isBeyond(const Watched& watched, const Vec3& contact, double ball, double t) {
     const Vec3 apart = contact - watched.frame.originAt(t);
-    return watched.solid ? glm::length(apart) > watched.solid->boundingRadius() + ball
-                         : glm::dot(watched.frame.orientationAt(t) * watched.normal, apart) > ball;
+    if (!watched.solid) {
+        return glm::dot(watched.frame.orientationAt(t) * watched.normal, apart) > ball;
+    }
+    return glm::length(apart) > watched.solid->boundingRadius() + ball ||
+           isBeforeAFace(*watched.solid, glm::conjugate(watched.frame.orientationAt(t)) * apart, ball);
 }
 
 /// The same of a body that always touches the solid.
@@ -123,6 +138,7 @@ private:
         const Watched* watched;
         double begin; ///< it is not met before
         double along_normal; ///< cosine between its normal and the impact's surface's; 1 where there is none
+        bool lifted_off; ///< what lifts the impact's body off its surface takes it further from this one
         ClosestSeed seed;
     };
     /// A part of `open_`: those that are not known to stay away.
@@ -134,7 +150,7 @@ private:
     [[nodiscard]] double gapOf(Watch& watch, const Pose& pose, double t) const;
     [[nodiscard]] double wayAboutContact(double turn, double stretch_a, double stretch_b) const;
     [[nodiscard]] double ownWay(const Look& a, const Look& b, double along_normal) const;
-    [[nodiscard]] double wayToEnd(const Look& look, double along_normal) const;
+    [[nodiscard]] double wayToEnd(const Look& look, double along_normal, bool bounded) const;
     [[nodiscard]] double closing(const Watch& watch, const Pose& pose, double gap, double span) const;
     [[nodiscard]] bool isAwayForGood(const Watch& watch, const Look& look, double gap) const;
     [[nodiscard]] bool isClear(const Watch& watch, const Look& a, double gap_a, const Look& b, double gap_b) const;
@@ -177,10 +193,10 @@ void Lookout::watch(const Watched& watched) {
         return;
     }
     const bool plane_stands = impact_ != nullptr && !watched.solid && !watched.frame.moves();
-    const double along_normal =
-        plane_stands ? std::fabs(glm::dot(watched.frame.orientation * watched.normal, impact_->surface.normalAt(begin)))
-                     : 1.0;
-    watches_.push_back({&watched, begin, along_normal, {}});
+    const double cosine =
+        plane_stands ? glm::dot(watched.frame.orientation * watched.normal, impact_->surface.normalAt(begin)) : -1.0;
+    const bool lifted_off = cosine >= 0.0 && !impact_->surface.frame.moves() && phase_.clear_of.empty();
+    watches_.push_back({&watched, begin, std::fabs(cosine), lifted_off, {}});
 }
 
 double Lookout::gapOf(Watch& watch, const Pose& pose, double t) const {
@@ -229,9 +245,10 @@ double Lookout::ownWay(const Look& a, const Look& b, double along_normal) const 
     return about + moved + (glm::length(impact_->skims) + carried) * span;
 }
 
-/// Likewise from a look to the end, bounded without another look.
-double Lookout::wayToEnd(const Look& look, double along_normal) const {
-    if (impact_ == nullptr || steep_ || impact_->surface.frame.moves()) {
+/// Likewise from a look to the end, bounded without another look: by the way about the contact and along the normal
+/// where that is bounded, else by the greatest speed.
+double Lookout::wayToEnd(const Look& look, double along_normal, bool bounded) const {
+    if (impact_ == nullptr || !bounded || impact_->surface.frame.moves()) {
         const double first = std::max(0.0, turns_at_ - look.t);
         return bounds_.speed * first + later_bounds_.speed * (to_ - look.t - first);
     }
@@ -263,8 +280,10 @@ double Lookout::closing(const Watch& watch, const Pose& pose, double gap, double
 
 bool Lookout::isAwayForGood(const Watch& watch, const Look& look, double gap) const {
     const double span = to_ - look.t;
-    return (!steep_ || gap > reach_) &&
-           gap - wayToEnd(look, watch.along_normal) - closing(watch, look.pose, gap, span) * span > 0.5 * gap_;
+    // The contact stays on the surface, so the body is only ever lifted from how it lies at the touch.
+    const bool lifted = watch.lifted_off && look.t <= impact_->begun;
+    const double way = wayToEnd(look, lifted ? 0.0 : watch.along_normal, lifted || !steep_);
+    return (lifted || !steep_ || gap > reach_) && gap - way - closing(watch, look.pose, gap, span) * span > 0.5 * gap_;
 }
 
 /// From both ends: what comes nearer than half of the gap goes further in between than it can.

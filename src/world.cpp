@@ -8,6 +8,7 @@
 #include "impact.h"
 #include "line_contact.h"
 #include "lock.h"
+#include "prefetch.h"
 #include "rotation.h"
 #include "world_impl.h"
 
@@ -296,9 +297,10 @@ void World::Impl::followPaths() {
 }
 
 void World::Impl::takePending() {
-    events = std::move(pending.events);
-    phases = std::move(pending.phases);
-    pending = {};
+    events.clear();
+    phases.clear();
+    std::swap(events, pending.events);
+    std::swap(phases, pending.phases);
 }
 
 namespace {
@@ -306,6 +308,7 @@ namespace {
 template <class T>
 void append(std::vector<T>& list, std::vector<T>& more) {
     list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    more.clear();
 }
 
 } // namespace
@@ -313,6 +316,15 @@ void append(std::vector<T>& list, std::vector<T>& more) {
 void World::Impl::prepareStep(double until) {
     const Stopwatch watch(clock, profile.prepare);
     around.prepareStep(time, until);
+}
+
+Happenings World::Impl::spareHappenings() {
+    if (spare.empty()) {
+        return {};
+    }
+    Happenings out = std::move(spare.back());
+    spare.pop_back();
+    return out;
 }
 
 /// Bodies do not read each other, so any cut of the range gives the same motion.
@@ -332,12 +344,31 @@ void World::Impl::advanceBodies(double to) {
     Mutex guard;
     const auto advanceRange = [&](std::size_t begin, std::size_t end) {
         Part part{begin, {}, 0};
+        {
+            const Lock lock(guard);
+            part.out = spareHappenings();
+        }
+        // Who is busy is found first, so that the next ones are on their way to the cache while one is advanced.
+        constexpr std::size_t kSlotsAhead = 6;
+        constexpr std::size_t kRestAhead = 3;
+        thread_local std::vector<std::size_t> busy;
+        busy.clear();
         for (std::size_t i = begin; i < end; ++i) {
             if (to > quiet_until[i] && bodies[i].used) {
-                ++part.advanced;
-                quiet_until[i] = advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
+                busy.push_back(i);
             }
         }
+        for (std::size_t k = 0; k < busy.size(); ++k) {
+            if (k + kSlotsAhead < busy.size()) {
+                prefetchSlot(bodies[busy[k + kSlotsAhead]]);
+            }
+            if (k + kRestAhead < busy.size()) {
+                prefetchRest(bodies[busy[k + kRestAhead]]);
+            }
+            const std::size_t i = busy[k];
+            quiet_until[i] = advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
+        }
+        part.advanced = busy.size();
         const Lock lock(guard);
         parts.push_back(std::move(part));
     };
@@ -356,6 +387,7 @@ void World::Impl::advanceBodies(double to) {
         }
         append(events, part.out.events);
         append(phases, part.out.phases);
+        spare.push_back(std::move(part.out));
     }
 }
 
@@ -380,7 +412,6 @@ void World::Impl::advance(double to) {
         followPaths();
         append(events, pending.events);
         append(phases, pending.phases);
-        pending = {};
     } while (time < to);
     const Stopwatch watch(clock, profile.sort_events);
     std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {

@@ -33,6 +33,8 @@ struct World::Impl {
     std::vector<PhaseBegun> phases;
     /// Left by user changes since the last step; the next step takes them in.
     Happenings pending;
+    /// Emptied lists, for the room that they have.
+    std::vector<Happenings> spare;
     /// What snapshots and restores use again and again; null before the first. See snapshot.cpp.
     std::shared_ptr<SnapshotMemory> snapshots;
 
@@ -82,6 +84,7 @@ struct World::Impl {
     [[nodiscard]] double nextPathChange(double to) const;
     void followPaths();
     void takePending();
+    [[nodiscard]] Happenings spareHappenings();
     void prepareStep(double until);
     void advanceBodies(double to);
     void advance(double to);

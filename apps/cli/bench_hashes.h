@@ -14,11 +14,11 @@ struct BenchScene {
 };
 
 inline constexpr BenchScene kBenchScenes[] = {
-    {"flight", 10000, 0x45196b761d3b1ca1},  //
-    {"rain", 10000, 0xc6c37b7cfad88e7c},    //
+    {"flight", 10000, 0x85d7358e0f692fe2},  //
+    {"rain", 10000, 0x6648d5d1adfc5443},    //
     {"ballpit", 10000, 0x09734c0bd3a97657}, //
-    {"pachinko", 1000, 0xe675d6fd874d28e5}, //
-    {"corners", 1000, 0x7f8cb7f6f5462641},
+    {"pachinko", 1000, 0xda78b96eb5e69ef0}, //
+    {"corners", 1000, 0x7949bad756ac1caa},
 };
 
 } // namespace elastoon
