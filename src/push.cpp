@@ -417,7 +417,10 @@ double blockedAt(const Phase& phase, const Shape& shape, double from, double to)
             return end;
         }
         while (blocked - fits_at > 1e-9 * (to - from)) {
-            const double middle = 0.5 * (fits_at + blocked);
+            const double middle = fits_at + 0.5 * (blocked - fits_at);
+            if (middle <= fits_at || middle >= blocked) {
+                break;
+            }
             (fitted(phase, shape, middle).fits ? fits_at : blocked) = middle;
         }
         end = fits_at;

@@ -89,6 +89,28 @@ TEST(Push, NoWayOutBetweenTwoThatOppose) {
     EXPECT_FALSE(opposes({0, 1, 0}, {0, 1, 0}));
 }
 
+TEST(Push, BlockedIsFoundAtAnyTimeAndInAnySpan) {
+    const ShapePtr shape = valueOf(Shape::box({1.0, 1.0, 1.0}));
+    for (const double start : {0.0, 1.0, 1e3, 1e6}) {
+        for (const double span : {1.0, 1e-4, 1e-8, 1e-12}) {
+            Rest rest;
+            rest.pose.position = {0.0, 0.5, 0.0};
+            KeptClear ceiling;
+            ceiling.surface.frame.start = start;
+            ceiling.surface.frame.origin = {0.0, 2.0, 0.0};
+            ceiling.surface.frame.velocity = {0.0, -2.0 / span, 0.0};
+            ceiling.surface.normal = {0.0, -1.0, 0.0};
+            Phase phase;
+            phase.start = start;
+            phase.motion = rest;
+            phase.clear_of.push_back(ceiling);
+            const double ulp = std::nextafter(start, 1e9) - start;
+            EXPECT_NEAR(blockedAt(phase, *shape, start, start + span), start + 0.5 * span, 1e-8 * span + ulp)
+                << start << " " << span;
+        }
+    }
+}
+
 BodyDef ball(double restitution, const Vec3& position, const Vec3& velocity) {
     BodyDef def;
     def.shape = valueOf(Shape::sphere(0.5));
