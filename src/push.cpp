@@ -104,6 +104,7 @@ bool continues(const Vec3& normal, const Vec3& other) {
 struct Footing {
     double lift = 0.0;
     Vec3 slope{0.0};
+    bool steeper = false; ///< than the slope says: it stands against a wall
 };
 
 /// None where the body has nothing of the solid under it.
@@ -122,9 +123,10 @@ std::optional<Footing> footingOf(const Surface& primary, const Shape& shape, con
     if (!contact) {
         return std::nullopt;
     }
+    constexpr double kSteepest = 0.05;
     const double steep = glm::dot(contact->normal, primary.normal);
     const Vec3 across = contact->normal - primary.normal * steep;
-    return Footing{contact->shift, steep > 0.05 ? orientation * (across / -steep) : Vec3(0.0)};
+    return Footing{contact->shift, orientation * (across / -std::max(steep, kSteepest)), steep < kSteepest};
 }
 
 /// Moves a pose, along the primary surface and up from it, out of what it is to be kept clear of: Newton's method on
@@ -146,6 +148,9 @@ public:
 
 private:
     [[nodiscard]] double leastGap() const;
+    [[nodiscard]] double mostShift() const {
+        return kMostPush * shape_.boundingRadius() * std::max(own_.stretch, 1.0 / std::sqrt(own_.stretch));
+    }
     [[nodiscard]] std::optional<Vec3> nextShift();
     void cut(const KeptClear& kept);
     bool activateNext();
@@ -195,7 +200,7 @@ void Mover::cut(const KeptClear& kept) {
     if (same != cuts_.end()) {
         same->barrier.gap = std::min(same->barrier.gap, barrier.gap);
     } else {
-        cuts_.push_back({barrier, up > 0.0});
+        cuts_.push_back({barrier, up > 0.0 && !footing_.steeper});
     }
 }
 
@@ -210,8 +215,10 @@ std::optional<Vec3> Mover::nextShift() {
     }
     std::array<Barrier, kMostBarriers> barriers;
     std::transform(cuts_.begin(), cuts_.end(), barriers.begin(), [](const Cut& c) { return c.barrier; });
-    const double size = shape_.boundingRadius() * std::max(own_.stretch, 1.0 / std::sqrt(own_.stretch));
-    return leastPush({barriers.data(), cuts_.size()}, kMostPush * size);
+    const auto next = leastPush({barriers.data(), cuts_.size()}, std::numeric_limits<double>::infinity());
+    const double most = mostShift();
+    // Where the body only just begins to roll off, the tangent leads too far: from half way it leads back.
+    return next && glm::length(*next) > most ? std::optional(*next * (0.5 * most / glm::length(*next))) : next;
 }
 
 bool Mover::moveTo(const Vec3& shift) {
@@ -267,7 +274,7 @@ bool Mover::run() {
         }
         const bool same = glm::length(*next - shift_) <= 1e-11 * length;
         if (same && leastGap() >= -kRounding * length) {
-            return true;
+            return glm::length(shift_) <= mostShift();
         }
         if (!moveTo(*next)) {
             return false;
@@ -345,6 +352,7 @@ namespace {
 struct Fit {
     Pose pose;
     bool fits = true;
+    double moved = 0.0; ///< how far from where its own motion puts it, m
 };
 
 /// Flatter or longer, whichever fits sooner; then as near to its own stretch as fits.
@@ -387,7 +395,7 @@ Fit fitted(const Phase& phase, const Shape& shape, double t) {
     const Pose own = ownPose(phase, shape, t);
     Pose pose = own;
     if (moveClear(phase, shape, t, pose)) {
-        return {pose, true};
+        return {pose, true, glm::length(pose.position - own.position)};
     }
     // In a corner it stops rather than change its form.
     return isPressed(phase, t) ? squeezed(phase, shape, t, own) : Fit{pose, false};
@@ -399,31 +407,90 @@ Pose keptClear(const Phase& phase, const Shape& shape, double t) {
     return fitted(phase, shape, t).pose;
 }
 
-double blockedAt(const Phase& phase, const Shape& shape, double from, double to) {
+namespace {
+
+/// A part of a phase, and how the body is kept clear at its ends.
+struct Span {
+    double from, to;
+    Fit at_from, at_to;
+};
+
+/// The last time, to rounding, at which the body of a span fits that fits at its begin and not at its end.
+double lastFit(const Phase& phase, const Shape& shape, const Span& span, double nearly) {
+    double fits_at = span.from;
+    double blocked = span.to;
+    while (blocked - fits_at > nearly) {
+        const double middle = fits_at + 0.5 * (blocked - fits_at);
+        if (middle <= fits_at || middle >= blocked) {
+            break;
+        }
+        (fitted(phase, shape, middle).fits ? fits_at : blocked) = middle;
+    }
+    return fits_at;
+}
+
+/// Where the body is moved at one end of the span and not at the other, the move must begin or end at nothing: else it
+/// would jump. The span between the two sides of a jump, or with no room at its end; none where there is neither.
+std::optional<Span> jumpWithin(const Phase& phase, const Shape& shape, Span span) {
+    constexpr int kHalvings = 8;
+    const double length = shape.length();
+    const double moves = 1e-9 * length;
+    const double jumps = 1e-2 * length;
+    for (int i = 0; i < kHalvings; ++i) {
+        if ((span.at_from.moved > moves) == (span.at_to.moved > moves)) {
+            return std::nullopt;
+        }
+        const double middle = span.from + 0.5 * (span.to - span.from);
+        const Fit fit = fitted(phase, shape, middle);
+        if (!fit.fits) {
+            return Span{span.from, middle, span.at_from, fit};
+        }
+        if ((fit.moved > moves) == (span.at_from.moved > moves)) {
+            span.from = middle;
+            span.at_from = fit;
+        } else {
+            span.to = middle;
+            span.at_to = fit;
+        }
+    }
+    return std::max(span.at_from.moved, span.at_to.moved) > jumps ? std::optional(span) : std::nullopt;
+}
+
+/// The first part of the time after which the body has no room, or jumps, as far as looking often shows.
+std::optional<Span> firstBlocked(const Phase& phase, const Shape& shape, double from, double to) {
     constexpr int kLooks = 16;
+    Span span{from, from, fitted(phase, shape, from), {}};
+    if (!span.at_from.fits) {
+        return span;
+    }
+    for (int i = 1; i <= kLooks; ++i) {
+        span.to = i == kLooks ? to : from + (to - from) * i / kLooks;
+        span.at_to = fitted(phase, shape, span.to);
+        if (!span.at_to.fits) {
+            return span;
+        }
+        if (const auto jump = jumpWithin(phase, shape, span)) {
+            return jump;
+        }
+        span.from = span.to;
+        span.at_from = span.at_to;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+double blockedAt(const Phase& phase, const Shape& shape, double from, double to) {
     constexpr int kMostNarrowings = 8;
+    const double nearly = 1e-9 * (to - from);
     double end = to;
     // Where it is first found blocked it may have been blocked before: it is looked at again, more closely.
     for (int narrowing = 0; narrowing < kMostNarrowings; ++narrowing) {
-        double fits_at = from;
-        double blocked = end;
-        bool fits = true;
-        for (int i = 0; fits && i <= kLooks; ++i) {
-            const double t = i == kLooks ? end : from + (end - from) * i / kLooks;
-            fits = fitted(phase, shape, t).fits;
-            (fits ? fits_at : blocked) = t;
-        }
-        if (fits) {
+        const auto blocked = firstBlocked(phase, shape, from, end);
+        if (!blocked) {
             return end;
         }
-        while (blocked - fits_at > 1e-9 * (to - from)) {
-            const double middle = fits_at + 0.5 * (blocked - fits_at);
-            if (middle <= fits_at || middle >= blocked) {
-                break;
-            }
-            (fitted(phase, shape, middle).fits ? fits_at : blocked) = middle;
-        }
-        end = fits_at;
+        end = blocked->at_to.fits ? blocked->from : lastFit(phase, shape, *blocked, nearly);
     }
     return end;
 }
