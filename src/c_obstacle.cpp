@@ -23,7 +23,8 @@ ElastoonObstacleDef cDefOf(const ObstacleDef& def) {
             toC(def.angular_velocity),
             nullptr,
             0,
-            def.path_repeats};
+            def.path_repeats,
+            def.user_data};
 }
 
 ElastoonResult fromObstacleDef(const ElastoonObstacleDef& def, ObstacleDef& out_def) {
@@ -46,6 +47,7 @@ ElastoonResult fromObstacleDef(const ElastoonObstacleDef& def, ObstacleDef& out_
         out_def.path.push_back({key.time, from(key.position), from(key.rotation)});
     }
     out_def.path_repeats = def.path_repeats;
+    out_def.user_data = def.user_data;
     return kElastoonOk;
 }
 
@@ -138,6 +140,18 @@ ElastoonResult elastoonObstaclePlaneNormal(ElastoonObstacle obstacle, ElastoonVe
         return refuse(kElastoonRefused, "is a solid, not a plane", "obstacle");
     }
     *out_normal = toC(held->world.planeNormal(from(obstacle)));
+    return kElastoonOk;
+}
+
+ElastoonResult elastoonObstacleUserData(ElastoonObstacle obstacle, uint64_t* out_user_data) {
+    const HeldWorld* held = worldOf(obstacle);
+    if (held == nullptr) {
+        return badId("obstacle");
+    }
+    if (out_user_data == nullptr) {
+        return nullPointer("out_user_data");
+    }
+    *out_user_data = held->world.userData(from(obstacle));
     return kElastoonOk;
 }
 

@@ -290,8 +290,16 @@ static void testObstacles(void) {
     def.path = path;
     def.path_count = 2;
     def.path_repeats = true;
+    CHECK(def.user_data == 0);
+    def.user_data = 0xfedcba9876543210u;
     ElastoonObstacle lift;
+    uint64_t user_data = 1;
     OK(elastoonObstacleCreate(world, &def, &lift));
+    OK(elastoonObstacleUserData(lift, &user_data));
+    CHECK(user_data == 0xfedcba9876543210u);
+    OK(elastoonObstacleUserData(all[0], &user_data));
+    CHECK(user_data == 0);
+    REFUSED(elastoonObstacleUserData(lift, NULL), kElastoonBadArgument, "out_user_data");
     OK(elastoonWorldStep(world, 0.5));
     OK(elastoonObstacleFrame(lift, &frame));
     CHECK(near(frame.position.y, 5.5, 1e-12) && near(frame.velocity.y, 1.0, 1e-12));
@@ -317,6 +325,7 @@ static void testObstacles(void) {
     OK(elastoonObstacleDestroy(lift));
     REFUSED(elastoonObstacleDestroy(lift), kElastoonBadId, "obstacle");
     REFUSED(elastoonObstacleFrame(lift, &frame), kElastoonBadId, "obstacle");
+    REFUSED(elastoonObstacleUserData(lift, &user_data), kElastoonBadId, "obstacle");
     OK(elastoonWorldDestroy(world));
 }
 

@@ -427,6 +427,7 @@ typedef struct ElastoonObstacleDef {
     const ElastoonPathKey* path; /**< copied; null: it goes on with its velocities */
     size_t path_count;
     bool path_repeats; /**< at the last key it jumps back to where it was added */
+    uint64_t user_data; /**< yours; not read; 0 */
 } ElastoonObstacleDef;
 
 /** Where an obstacle is and how it moves, now. */
@@ -450,6 +451,7 @@ ELASTOON_API ElastoonResult elastoonObstacleFrame(ElastoonObstacle obstacle, Ela
 ELASTOON_API ElastoonResult elastoonObstacleShape(ElastoonObstacle obstacle, ElastoonShape* out_shape);
 /** Of a plane, unit, in its frame. */
 ELASTOON_API ElastoonResult elastoonObstaclePlaneNormal(ElastoonObstacle obstacle, ElastoonVec3* out_normal);
+ELASTOON_API ElastoonResult elastoonObstacleUserData(ElastoonObstacle obstacle, uint64_t* out_user_data);
 /** It goes on from where it is with these velocities, and leaves its path; bodies on it go along. */
 ELASTOON_API ElastoonResult elastoonObstacleSetMotion(ElastoonObstacle obstacle, ElastoonVec3 velocity,
                                                       ElastoonVec3 angular_velocity);

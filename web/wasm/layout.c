@@ -125,6 +125,7 @@ static const Field kFields[] = {
     FIELD(ElastoonObstacleDef, path),
     FIELD(ElastoonObstacleDef, path_count),
     FIELD(ElastoonObstacleDef, path_repeats),
+    FIELD(ElastoonObstacleDef, user_data),
     SIZE(ElastoonObstacleFrame),
     FIELD(ElastoonObstacleFrame, position),
     FIELD(ElastoonObstacleFrame, rotation),

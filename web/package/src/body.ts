@@ -121,6 +121,7 @@ export class Body {
   readonly world: World;
   readonly shape: Shape;
   name: string;
+  /** As its description gave it; undefined where a scene or a snapshot brought it. */
   userData: unknown;
   /** sRGB, 0 to 1, of a body that a scene brought. */
   color: Readonly<Vector> | undefined;

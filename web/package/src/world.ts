@@ -102,7 +102,7 @@ export class World {
       c.call("elastoonObstacleCreate", c.putId(this.id), def, out);
       return c.id(out);
     });
-    const obstacle = new Obstacle(this, id, desc.shape, desc.name);
+    const obstacle = new Obstacle(this, id, desc.shape, desc.name, desc.userData);
     this.obstaclesBySlot[id.slot - 1] = obstacle;
     return obstacle;
   }

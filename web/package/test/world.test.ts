@@ -166,7 +166,8 @@ test("snapshots go on to the bit, predictions come true", () => {
 test("obstacles move, follow paths, and let go", () => {
   const world = worldWithFloor();
   const lift = world.createObstacle(
-    ObstacleDesc.box(2, 1, 2).setTranslation(0, 5, 0).setPath([{ time: 1, position: { x: 0, y: 6, z: 0 } }]));
+    ObstacleDesc.box(2, 1, 2).setTranslation(0, 5, 0).setPath([{ time: 1, position: { x: 0, y: 6, z: 0 } }])
+      .setUserData("up"));
   world.step(0.5);
   assert.ok(Math.abs(lift.frame().position.y - 5.5) < 1e-12);
   lift.setPose({ x: 0, y: 4, z: 0 });
@@ -176,6 +177,8 @@ test("obstacles move, follow paths, and let go", () => {
   lift.setMotion({ x: 1, y: 0, z: 0 });
   assert.equal(lift.frame().linvel.x, 1);
   assert.deepEqual(world.obstacles()[0]!.planeNormal(), { x: 0, y: 1, z: 0 });
+  assert.equal(lift.userData, "up");
+  assert.equal(world.obstacleNamed("floor")!.userData, undefined);
   assert.throws(() => lift.moveTo({ x: 0, y: 0, z: 0 }, 0), refusedAs("bad argument", /./));
   world.removeObstacle(lift);
   assert.equal(world.obstacles().length, 1);
