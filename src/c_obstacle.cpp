@@ -6,11 +6,10 @@ using namespace elastoon::c_interface;
 
 namespace {
 
-template <class Change>
-ElastoonResult change(ElastoonObstacle obstacle, Change&& make) {
+ElastoonResult change(ElastoonObstacle obstacle, const Input& input) {
     return guarded([&] {
         HeldWorld* held = worldOf(obstacle);
-        return held == nullptr ? badId("obstacle") : resultOf(make(held->changing(), from(obstacle)));
+        return held == nullptr ? badId("obstacle") : resultOf(held->change(input));
     });
 }
 
@@ -79,16 +78,14 @@ ElastoonResult elastoonObstacleCreate(ElastoonWorld world, const ElastoonObstacl
         if (!added) {
             return refusedBy(added.error());
         }
+        held->keep(input::AddObstacle{obstacle, added.value()});
         *out_obstacle = toC(added.value(), world);
         return kElastoonOk;
     });
 }
 
 ElastoonResult elastoonObstacleDestroy(ElastoonObstacle obstacle) {
-    return guarded([&] {
-        HeldWorld* held = worldOf(obstacle);
-        return held != nullptr && held->changing().removeObstacle(from(obstacle)) ? kElastoonOk : badId("obstacle");
-    });
+    return change(obstacle, input::RemoveObstacle{from(obstacle)});
 }
 
 bool elastoonObstacleIsValid(ElastoonObstacle obstacle) {
@@ -157,20 +154,14 @@ ElastoonResult elastoonObstacleUserData(ElastoonObstacle obstacle, uint64_t* out
 
 ElastoonResult elastoonObstacleSetMotion(ElastoonObstacle obstacle, ElastoonVec3 velocity,
                                          ElastoonVec3 angular_velocity) {
-    return change(obstacle, [&](World& world, ObstacleId id) {
-        return world.setObstacleMotion(id, from(velocity), from(angular_velocity));
-    });
+    return change(obstacle, input::SetObstacleMotion{from(obstacle), from(velocity), from(angular_velocity)});
 }
 
 ElastoonResult elastoonObstacleSetPose(ElastoonObstacle obstacle, ElastoonVec3 position, ElastoonQuat rotation) {
-    return change(obstacle, [&](World& world, ObstacleId id) {
-        return world.setObstaclePose(id, from(position), from(rotation));
-    });
+    return change(obstacle, input::SetObstaclePose{from(obstacle), from(position), from(rotation)});
 }
 
 ElastoonResult elastoonObstacleMove(ElastoonObstacle obstacle, ElastoonVec3 position, ElastoonQuat rotation,
                                     double duration) {
-    return change(obstacle, [&](World& world, ObstacleId id) {
-        return world.moveObstacle(id, from(position), from(rotation), duration);
-    });
+    return change(obstacle, input::MoveObstacle{from(obstacle), from(position), from(rotation), duration});
 }

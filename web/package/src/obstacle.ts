@@ -130,7 +130,7 @@ export class Obstacle {
   /** Null: a plane. */
   readonly shape: Shape | null;
   name: string;
-  /** As its description gave it; undefined where a scene or a snapshot brought it. */
+  /** As its description gave it; undefined where a scene, a snapshot or a recording brought it. */
   userData: unknown;
   /** sRGB, 0 to 1, of an obstacle that a scene brought. */
   color: Readonly<Vector> | undefined;

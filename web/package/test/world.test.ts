@@ -163,6 +163,22 @@ test("snapshots go on to the bit, predictions come true", () => {
   world.dispose();
 });
 
+test("events name bodies that were removed before the step that tells of them", () => {
+  const world = worldWithFloor();
+  const ball = world.createBody(BodyDesc.ball(0.5).setTranslation(0, 0.6, 0));
+  while (ball.phase().kind !== "rest") world.step();
+  world.obstacleNamed("floor")!.setPose({ x: 0, y: -3, z: 0 });
+  world.removeBody(ball);
+  world.step();
+  const [event] = world.events();
+  assert.equal(event!.type, "wake");
+  assert.equal(event!.body, ball);
+  assert.equal(event!.body.isValid(), false);
+  world.step();
+  assert.equal(world.events().length, 0);
+  world.dispose();
+});
+
 test("obstacles move, follow paths, and let go", () => {
   const world = worldWithFloor();
   const lift = world.createObstacle(
