@@ -39,10 +39,13 @@ if(ELASTOON_APPS)
   install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/elastoon COMPONENT program PATTERN tests EXCLUDE)
 endif()
 
+# Whom a package names is whoever makes it.
+set(ELASTOON_PACKAGE_CONTACT "Elastoon packager <packager@example.invalid>" CACHE STRING
+  "Maintainer that the Debian packages name, as \"Name <address>\"")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME elastoon)
 set(CPACK_PACKAGE_VENDOR Elastoon)
-set(CPACK_PACKAGE_CONTACT "The Elastoon authors <elastoon@localhost>")
+set(CPACK_PACKAGE_CONTACT "${ELASTOON_PACKAGE_CONTACT}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL runtime development program)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

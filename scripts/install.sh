@@ -6,7 +6,8 @@ set -euo pipefail
 packages=(g++ cmake ninja-build ccache pkg-config libglm-dev nlohmann-json3-dev libcli11-dev libfmt-dev libembree-dev
   libtinygltf-dev libassimp-dev libcairo2-dev libtbb-dev libgtest-dev libqhull-dev ffmpeg)
 # The WebAssembly module, and what pages are built with.
-web=(clang-19 lld-19 libclang-rt-19-dev-wasm32 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 llvm-19)
+web=(clang-19 lld-19 libclang-rt-19-dev-wasm32 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 llvm-19
+  binaryen)
 command -v node > /dev/null || web+=(nodejs)
 command -v npm > /dev/null || web+=(npm)
 if [ "${1:-run}" = web ]; then

@@ -75,9 +75,11 @@ same "static pkg-config" "$out/by_static_pkg_config"
 
 cpack --config build/package/CPackConfig.cmake -B "$out/packages" > "$log" 2>&1 || fail "cpack"
 root=$out/root
+maintainer=$(sed -n 's/^ELASTOON_PACKAGE_CONTACT:STRING=//p' build/package/CMakeCache.txt)
 for package in libelastoon[0-9]* libelastoon-dev elastoon; do
   # shellcheck disable=SC2086
   file=$(ls "$out"/packages/${package}_*.deb) || fail "there is no package $package"
+  [[ $maintainer == *@* && $(dpkg-deb -f "$file" Maintainer) == "$maintainer" ]] || fail "$package names another maintainer"
   dpkg-deb -f "$file" Depends > "$out/depends.txt"
   case $package in
     libelastoon-dev) grep -q 'libelastoon[0-9.]* (= .*libglm-dev' "$out/depends.txt" || fail "$package: $(cat "$out/depends.txt")" ;;

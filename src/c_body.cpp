@@ -26,11 +26,10 @@ ElastoonResult answer(ElastoonBody body, Answer* out_answer, Ask&& ask) {
     });
 }
 
-template <class Change>
-ElastoonResult change(ElastoonBody body, Change&& make) {
+ElastoonResult change(ElastoonBody body, const Input& input) {
     return guarded([&] {
         HeldWorld* held = worldOf(body);
-        return held == nullptr ? badId("body") : resultOf(make(held->changing(), from(body)));
+        return held == nullptr ? badId("body") : resultOf(held->change(input));
     });
 }
 
@@ -62,16 +61,14 @@ ElastoonResult elastoonBodyCreate(ElastoonWorld world, const ElastoonBodyDef* de
         if (!added) {
             return refusedBy(added.error());
         }
+        held->keep(input::AddBody{body, added.value()});
         *out_body = toC(added.value(), world);
         return kElastoonOk;
     });
 }
 
 ElastoonResult elastoonBodyDestroy(ElastoonBody body) {
-    return guarded([&] {
-        HeldWorld* held = worldOf(body);
-        return held != nullptr && held->changingBodies().removeBody(from(body)) ? kElastoonOk : badId("body");
-    });
+    return change(body, input::RemoveBody{from(body)});
 }
 
 bool elastoonBodyIsValid(ElastoonBody body) {
@@ -113,15 +110,15 @@ ElastoonResult elastoonBodyShape(ElastoonBody body, ElastoonShape* out_shape) {
 }
 
 ElastoonResult elastoonBodySetPosition(ElastoonBody body, ElastoonVec3 position) {
-    return change(body, [&](World& world, BodyId id) { return world.setPosition(id, from(position)); });
+    return change(body, input::SetPosition{from(body), from(position)});
 }
 
 ElastoonResult elastoonBodySetVelocity(ElastoonBody body, ElastoonVec3 velocity) {
-    return change(body, [&](World& world, BodyId id) { return world.setVelocity(id, from(velocity)); });
+    return change(body, input::SetVelocity{from(body), from(velocity)});
 }
 
 ElastoonResult elastoonBodySteerImpact(ElastoonBody body, ElastoonVec3 velocity) {
-    return change(body, [&](World& world, BodyId id) { return world.steerImpact(id, from(velocity)); });
+    return change(body, input::SteerImpact{from(body), from(velocity)});
 }
 
 ElastoonResult elastoonBodySetStyle(ElastoonBody body, const ElastoonStyle* style) {
@@ -131,7 +128,7 @@ ElastoonResult elastoonBodySetStyle(ElastoonBody body, const ElastoonStyle* styl
     if (const ElastoonResult flaw = checkChoices(*style); flaw != kElastoonOk) {
         return flaw;
     }
-    return change(body, [&](World& world, BodyId id) { return world.setStyle(id, from(*style)); });
+    return change(body, input::SetStyle{from(body), from(*style)});
 }
 
 ElastoonResult elastoonBodyPredictPoses(ElastoonBody body, const double* delays, size_t count,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "elastoon/elastoon.h"
+#include "elastoon/recorder.h"
 #include "elastoon/world.h"
 
 #include "c_table.h"
@@ -24,6 +25,7 @@ struct HeldWorld {
     std::vector<ElastoonEvent> events;
     std::vector<std::byte> snapshot;
     bool bodies_known = false, events_known = false;
+    Recording* recording = nullptr; ///< that takes what is done to the world, if one does
 
     explicit HeldWorld(World made) : world(std::move(made)) {}
     /// To be called by whatever changes the world: what is kept of it does not hold any more.
@@ -36,6 +38,11 @@ struct HeldWorld {
         bodies_known = false;
         return changing();
     }
+    /// Gives the world an input, and keeps it where that is recorded and was not refused.
+    Status change(const Input& input);
+    /// Keeps an input that the world has taken.
+    void keep(const Input& input);
+    void step(double dt);
     /// In the order of their slots.
     std::span<const BodyId> knownBodies();
     /// Of bodies, free ones included: as many as the world has matrices.
@@ -84,6 +91,11 @@ const ShapePtr* find(ElastoonShape id);
 /// The world of the body, if it has it.
 HeldWorld* worldOf(ElastoonBody id);
 HeldWorld* worldOf(ElastoonObstacle id);
+
+/// Refused: a world that is being recorded, whose recording would not hold any more.
+ElastoonResult checkUnrecorded(const HeldWorld& held);
+/// Makes the world the one of the snapshot.
+ElastoonResult restore(HeldWorld& held, std::span<const std::byte> snapshot);
 
 /// An id for what was made; refused where there are too many.
 ElastoonResult giveId(World world, ElastoonWorld* out_world);

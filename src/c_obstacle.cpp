@@ -6,11 +6,10 @@ using namespace elastoon::c_interface;
 
 namespace {
 
-template <class Change>
-ElastoonResult change(ElastoonObstacle obstacle, Change&& make) {
+ElastoonResult change(ElastoonObstacle obstacle, const Input& input) {
     return guarded([&] {
         HeldWorld* held = worldOf(obstacle);
-        return held == nullptr ? badId("obstacle") : resultOf(make(held->changing(), from(obstacle)));
+        return held == nullptr ? badId("obstacle") : resultOf(held->change(input));
     });
 }
 
@@ -23,7 +22,8 @@ ElastoonObstacleDef cDefOf(const ObstacleDef& def) {
             toC(def.angular_velocity),
             nullptr,
             0,
-            def.path_repeats};
+            def.path_repeats,
+            def.user_data};
 }
 
 ElastoonResult fromObstacleDef(const ElastoonObstacleDef& def, ObstacleDef& out_def) {
@@ -46,6 +46,7 @@ ElastoonResult fromObstacleDef(const ElastoonObstacleDef& def, ObstacleDef& out_
         out_def.path.push_back({key.time, from(key.position), from(key.rotation)});
     }
     out_def.path_repeats = def.path_repeats;
+    out_def.user_data = def.user_data;
     return kElastoonOk;
 }
 
@@ -77,16 +78,14 @@ ElastoonResult elastoonObstacleCreate(ElastoonWorld world, const ElastoonObstacl
         if (!added) {
             return refusedBy(added.error());
         }
+        held->keep(input::AddObstacle{obstacle, added.value()});
         *out_obstacle = toC(added.value(), world);
         return kElastoonOk;
     });
 }
 
 ElastoonResult elastoonObstacleDestroy(ElastoonObstacle obstacle) {
-    return guarded([&] {
-        HeldWorld* held = worldOf(obstacle);
-        return held != nullptr && held->changing().removeObstacle(from(obstacle)) ? kElastoonOk : badId("obstacle");
-    });
+    return change(obstacle, input::RemoveObstacle{from(obstacle)});
 }
 
 bool elastoonObstacleIsValid(ElastoonObstacle obstacle) {
@@ -141,22 +140,28 @@ ElastoonResult elastoonObstaclePlaneNormal(ElastoonObstacle obstacle, ElastoonVe
     return kElastoonOk;
 }
 
+ElastoonResult elastoonObstacleUserData(ElastoonObstacle obstacle, uint64_t* out_user_data) {
+    const HeldWorld* held = worldOf(obstacle);
+    if (held == nullptr) {
+        return badId("obstacle");
+    }
+    if (out_user_data == nullptr) {
+        return nullPointer("out_user_data");
+    }
+    *out_user_data = held->world.userData(from(obstacle));
+    return kElastoonOk;
+}
+
 ElastoonResult elastoonObstacleSetMotion(ElastoonObstacle obstacle, ElastoonVec3 velocity,
                                          ElastoonVec3 angular_velocity) {
-    return change(obstacle, [&](World& world, ObstacleId id) {
-        return world.setObstacleMotion(id, from(velocity), from(angular_velocity));
-    });
+    return change(obstacle, input::SetObstacleMotion{from(obstacle), from(velocity), from(angular_velocity)});
 }
 
 ElastoonResult elastoonObstacleSetPose(ElastoonObstacle obstacle, ElastoonVec3 position, ElastoonQuat rotation) {
-    return change(obstacle, [&](World& world, ObstacleId id) {
-        return world.setObstaclePose(id, from(position), from(rotation));
-    });
+    return change(obstacle, input::SetObstaclePose{from(obstacle), from(position), from(rotation)});
 }
 
 ElastoonResult elastoonObstacleMove(ElastoonObstacle obstacle, ElastoonVec3 position, ElastoonQuat rotation,
                                     double duration) {
-    return change(obstacle, [&](World& world, ObstacleId id) {
-        return world.moveObstacle(id, from(position), from(rotation), duration);
-    });
+    return change(obstacle, input::MoveObstacle{from(obstacle), from(position), from(rotation), duration});
 }

@@ -26,6 +26,13 @@ ParallelFor parallelForOf(const ElastoonWorldDef& def) {
 
 } // namespace
 
+ElastoonResult c_interface::restore(HeldWorld& held, std::span<const std::byte> snapshot) {
+    std::vector<ShapePtr> known;
+    shapes().forEach([&](const ShapePtr& shape) { known.push_back(shape); });
+    const Status status = held.changingBodies().restore(snapshot, known);
+    return status ? kElastoonOk : refuse(kElastoonBadData, status.error());
+}
+
 ElastoonWorldDef elastoonDefaultWorldDef(void) {
     return {toC(WorldDef{}.gravity), nullptr, nullptr};
 }
@@ -57,7 +64,7 @@ ElastoonResult elastoonWorldStep(ElastoonWorld world, double dt) {
         if (!(dt >= 0.0 && dt <= kMostStep)) {
             return refuse(kElastoonBadArgument, "must be from 0 to 1e6 s", "dt");
         }
-        held->changing().step(dt);
+        held->step(dt);
         return kElastoonOk;
     });
 }
@@ -89,7 +96,7 @@ ElastoonResult elastoonWorldGravity(ElastoonWorld world, ElastoonVec3* out_gravi
 ElastoonResult elastoonWorldSetGravity(ElastoonWorld world, ElastoonVec3 gravity) {
     return guarded([&] {
         HeldWorld* held = find(world);
-        return held == nullptr ? badId("world") : resultOf(held->changing().setGravity(from(gravity)));
+        return held == nullptr ? badId("world") : resultOf(held->change(input::SetGravity{from(gravity)}));
     });
 }
 
@@ -174,9 +181,7 @@ ElastoonResult elastoonWorldRestore(ElastoonWorld world, const void* bytes, size
         if (bytes == nullptr) {
             return nullPointer("bytes");
         }
-        std::vector<ShapePtr> known;
-        shapes().forEach([&](const ShapePtr& shape) { known.push_back(shape); });
-        const Status status = held->changingBodies().restore({static_cast<const std::byte*>(bytes), size}, known);
-        return status ? kElastoonOk : refuse(kElastoonBadData, status.error());
+        const ElastoonResult recorded = checkUnrecorded(*held);
+        return recorded == kElastoonOk ? restore(*held, {static_cast<const std::byte*>(bytes), size}) : recorded;
     });
 }

@@ -158,6 +158,13 @@ void Recording::insert(std::size_t step, Input what) {
     inputs.insert(after, {step, std::move(what)});
 }
 
+void Recording::cut(std::size_t step) {
+    steps.resize(std::min(step, steps.size()));
+    const auto forgotten =
+        std::find_if(inputs.begin(), inputs.end(), [&](const TimedInput& timed) { return timed.step >= step; });
+    inputs.erase(forgotten, inputs.end());
+}
+
 std::vector<std::byte> Recording::toBytes() const {
     std::vector<std::byte> bytes;
     ShapeTable table;
@@ -263,7 +270,7 @@ Status apply(const Input& input, World& world) {
 }
 
 Status replay(const Recording& recording, World& world, std::size_t from, std::size_t to) {
-    const bool whole = to >= recording.steps.size();
+    const bool whole = to > recording.steps.size();
     const std::size_t end = std::min(to, recording.steps.size());
     auto next = std::lower_bound(recording.inputs.begin(), recording.inputs.end(), from,
                                  [](const TimedInput& timed, std::size_t step) { return timed.step < step; });

@@ -159,7 +159,8 @@ ElastoonResult elastoonSceneObstacle(ElastoonScene scene, size_t index, Elastoon
                      obstacle.shape.has_value(),
                      obstacle.shape.value_or(0),
                      {shape, toC(def.normal), toC(def.position), toC(def.rotation), toC(def.velocity),
-                      toC(def.angular_velocity), path.empty() ? nullptr : path.data(), path.size(), def.path_repeats},
+                      toC(def.angular_velocity), path.empty() ? nullptr : path.data(), path.size(), def.path_repeats,
+                      def.user_data},
                      toC(obstacle.color)};
     return kElastoonOk;
 }

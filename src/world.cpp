@@ -486,6 +486,10 @@ Vec3 World::planeNormal(ObstacleId id) const {
     return impl_->known(id).normal;
 }
 
+std::uint64_t World::userData(ObstacleId id) const {
+    return impl_->known(id).user_data;
+}
+
 std::uint64_t World::stateHash() const {
     Hash hash;
     hash.add(impl_->time);

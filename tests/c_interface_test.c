@@ -1,64 +1,7 @@
 /* The C interface as a C11 program uses it: every call, what it refuses, and that it agrees with itself. */
-#include <elastoon/elastoon.h>
+#include "c_support.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-static int failures = 0;
-
-#define CHECK(condition) check((condition) ? 1 : 0, #condition, __LINE__)
-/** The call is refused with this code, and the error's text holds these words. */
-#define REFUSED(call, code, words) refused((call), (code), (words), #call, __LINE__)
-#define OK(call) REFUSED(call, kElastoonOk, "")
-
-static void check(int holds, const char* what, int line) {
-    if (!holds) {
-        printf("line %d: %s does not hold\n", line, what);
-        ++failures;
-    }
-}
-
-static void refused(ElastoonResult result, ElastoonResult code, const char* words, const char* what, int line) {
-    if (result != code || (code != kElastoonOk && strstr(elastoonLastError(), words) == NULL)) {
-        printf("line %d: %s gives \"%s\" (%s), not \"%s\" (%s)\n", line, what, elastoonResultName(result),
-               elastoonLastError(), elastoonResultName(code), words);
-        ++failures;
-    }
-}
-
-static int near(double a, double b, double tolerance) {
-    return fabs(a - b) <= tolerance;
-}
-
-static ElastoonVec3 vec3(double x, double y, double z) {
-    const ElastoonVec3 v = {x, y, z};
-    return v;
-}
-
-/** A world with a floor; `out_shape` becomes a ball. */
-static ElastoonWorld worldWithFloor(ElastoonShape* out_shape) {
-    const ElastoonWorldDef def = elastoonDefaultWorldDef();
-    const ElastoonObstacleDef floor_def = elastoonPlaneDef(vec3(0.0, 1.0, 0.0), 0.0);
-    ElastoonWorld world = {0, 0};
-    ElastoonObstacle floor = {0, 0, {0, 0}};
-    OK(elastoonWorldCreate(&def, &world));
-    OK(elastoonObstacleCreate(world, &floor_def, &floor));
-    OK(elastoonShapeSphere(0.5, 8, out_shape));
-    return world;
-}
-
-static ElastoonBody addBall(ElastoonWorld world, ElastoonShape shape, double x, double y) {
-    ElastoonBodyDef def = elastoonDefaultBodyDef();
-    ElastoonBody body = {0, 0, {0, 0}};
-    def.shape = shape;
-    def.position = vec3(x, y, 0.0);
-    def.velocity = vec3(0.0, -3.0, 0.0);
-    def.user_data = 77;
-    OK(elastoonBodyCreate(world, &def, &body));
-    return body;
-}
 
 static void testVersionAndNames(void) {
     const ElastoonVersion version = elastoonVersion();
@@ -290,8 +233,16 @@ static void testObstacles(void) {
     def.path = path;
     def.path_count = 2;
     def.path_repeats = true;
+    CHECK(def.user_data == 0);
+    def.user_data = 0xfedcba9876543210u;
     ElastoonObstacle lift;
+    uint64_t user_data = 1;
     OK(elastoonObstacleCreate(world, &def, &lift));
+    OK(elastoonObstacleUserData(lift, &user_data));
+    CHECK(user_data == 0xfedcba9876543210u);
+    OK(elastoonObstacleUserData(all[0], &user_data));
+    CHECK(user_data == 0);
+    REFUSED(elastoonObstacleUserData(lift, NULL), kElastoonBadArgument, "out_user_data");
     OK(elastoonWorldStep(world, 0.5));
     OK(elastoonObstacleFrame(lift, &frame));
     CHECK(near(frame.position.y, 5.5, 1e-12) && near(frame.velocity.y, 1.0, 1e-12));
@@ -317,6 +268,7 @@ static void testObstacles(void) {
     OK(elastoonObstacleDestroy(lift));
     REFUSED(elastoonObstacleDestroy(lift), kElastoonBadId, "obstacle");
     REFUSED(elastoonObstacleFrame(lift, &frame), kElastoonBadId, "obstacle");
+    REFUSED(elastoonObstacleUserData(lift, &user_data), kElastoonBadId, "obstacle");
     OK(elastoonWorldDestroy(world));
 }
 

@@ -112,6 +112,51 @@ TEST(Recorder, PartsOfAReplayAddUp) {
     EXPECT_EQ(other.snapshot({.include_shapes = true}), world.snapshot({.include_shapes = true}));
 }
 
+TEST(Recorder, InputsAfterTheLastStepComeOnceAndLast) {
+    World world = worldWithFloor();
+    Recorder recorder(world);
+    recorder.step(0.1);
+    recorder.step(0.1);
+    const auto before = world.snapshot();
+    BodyDef def;
+    def.shape = valueOf(Shape::sphere(0.5));
+    def.position = {0, 3, 0};
+    (void)valueOf(recorder.addBody(def));
+    World other = worldWith();
+    ASSERT_TRUE(other.restore(recorder.recording().start).ok());
+    ASSERT_TRUE(replay(recorder.recording(), other, 0, 1).ok());
+    ASSERT_TRUE(replay(recorder.recording(), other, 1, 2).ok());
+    EXPECT_EQ(other.snapshot(), before);
+    ASSERT_TRUE(replay(recorder.recording(), other, 2).ok());
+    EXPECT_EQ(other.snapshot({.include_shapes = true}), world.snapshot({.include_shapes = true}));
+}
+
+TEST(Recorder, GoesAnotherWayFromACut) {
+    World world = worldWith();
+    BusyRoom room(15);
+    Recorder recorder(world);
+    room.furnish(recorder, world);
+    Bytes before;
+    for (std::size_t i = 0; i < 40; ++i) {
+        if (i == 25) {
+            world.snapshotInto(before);
+        }
+        room.change(recorder, world);
+        recorder.step(1.0 / 60.0);
+    }
+    ASSERT_TRUE(world.restore(before).ok());
+    recorder.cut(25);
+    EXPECT_EQ(recorder.recording().steps.size(), 25U);
+    EXPECT_LT(recorder.recording().inputs.back().step, 25U);
+    ASSERT_TRUE(recorder.setGravity({0, 3, 0}).ok());
+    for (int i = 0; i < 10; ++i) {
+        recorder.step(1.0 / 50.0);
+    }
+    EXPECT_EQ(valueOf(replay(recorder.recording())).snapshot(), world.snapshot());
+    recorder.cut(1000); // nothing is there
+    EXPECT_EQ(recorder.recording().steps.size(), 35U);
+}
+
 TEST(Recorder, SaysWhereAReplayLeavesTheRecording) {
     World world = worldWithFloor();
     Recorder recorder(world);

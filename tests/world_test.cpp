@@ -98,6 +98,30 @@ TEST(World, IdsOfRemovedObjectsStayInvalid) {
     EXPECT_EQ(world.bodies(), std::vector<BodyId>{second});
 }
 
+TEST(World, UserDataStaysWithItsObject) {
+    World world = worldWith();
+    ObstacleDef plane = ObstacleDef::plane({0, 1, 0}, 0);
+    EXPECT_EQ(world.userData(valueOf(world.addObstacle(plane))), 0U);
+    plane.user_data = 0xfedcba9876543210ULL;
+    const ObstacleId removed = valueOf(world.addObstacle(plane));
+    EXPECT_EQ(world.userData(removed), 0xfedcba9876543210ULL);
+    world.removeObstacle(removed);
+    plane.user_data = 5;
+    const ObstacleId obstacle = valueOf(world.addObstacle(plane));
+    EXPECT_EQ(obstacle.slot, removed.slot);
+    BodyDef ball = ballAt({0, 3, 0});
+    ball.user_data = 7;
+    const BodyId body = valueOf(world.addBody(ball));
+    world.step(0.5);
+    ASSERT_TRUE(world.setObstaclePose(obstacle, {0, -1, 0}, kNoRotation).ok());
+    World other = worldWith();
+    ASSERT_TRUE(other.restore(world.snapshot({.include_shapes = true})).ok());
+    for (const World* each : {&world, &other}) {
+        EXPECT_EQ(each->userData(obstacle), 5U);
+        EXPECT_EQ(each->userData(body), 7U);
+    }
+}
+
 TEST(World, ObjectsComeAndGoBetweenSteps) {
     World world = worldWith();
     const ObstacleId floor = valueOf(world.addObstacle(ObstacleDef::plane({0, 1, 0}, 0.0)));

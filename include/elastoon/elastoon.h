@@ -49,7 +49,7 @@ typedef enum ElastoonResult ELASTOON_ANY_INT {
     kElastoonBadArgument, /**< a null pointer, a number that is not finite or out of range, an unknown name */
     kElastoonRefused,     /**< sound in itself, but not here: a body that starts inside an obstacle */
     kElastoonTooSmall,    /**< your array is too small; *out_count says what is needed */
-    kElastoonBadData,     /**< a snapshot or a scene that is damaged or wrong */
+    kElastoonBadData,     /**< a snapshot, a recording or a scene that is damaged or wrong */
     kElastoonOutOfMemory, /**< the state of the world that was called is not known any more: destroy it */
 } ElastoonResult;
 
@@ -310,7 +310,8 @@ ELASTOON_API const char* elastoonEventName(int32_t type);
 ELASTOON_API ElastoonResult elastoonWorldSnapshot(ElastoonWorld world, bool include_shapes, void* out_bytes,
                                                   size_t capacity, size_t* out_size);
 /** Makes this world the one of the snapshot. Shapes are found by content among those of this world, those that have an
-   id, and those in the bytes. Refused, with the world as it was: bytes that are damaged or of another version. */
+   id, and those in the bytes. Refused, with the world as it was: bytes that are damaged or of another version; and a
+   world that is being recorded (elastoonRecordingRewind() takes both back). */
 ELASTOON_API ElastoonResult elastoonWorldRestore(ElastoonWorld world, const void* bytes, size_t size);
 
 /* ---- Timelines: all that the bodies of a world did, for any time, forwards and back ---- */
@@ -344,6 +345,43 @@ ELASTOON_API ElastoonResult elastoonTimelinePoses(ElastoonTimeline timeline, Ela
 /** All events, by step, in memory of the timeline's own. Valid until the next capture or cut. */
 ELASTOON_API ElastoonResult elastoonTimelineEvents(ElastoonTimeline timeline, const ElastoonEvent** out_events,
                                                    size_t* out_count);
+
+/* ---- Recordings: what was done to a world, to be done again to the bit. docs/snapshot.md ---- */
+
+typedef struct ElastoonRecording {
+    uint32_t slot, generation;
+} ElastoonRecording;
+
+typedef struct ElastoonRecordingInfo {
+    size_t step_count;
+    size_t input_count; /**< calls that changed the world, steps not counted */
+    bool is_live; /**< it takes what is done to a world */
+} ElastoonRecordingInfo;
+
+/** Takes the world as it is, and from now on every call that changes it, with the number of steps before it, until the
+    recording or the world is destroyed. A call on it is one on that world. Refused: a second one of the same world. */
+ELASTOON_API ElastoonResult elastoonRecordingBegin(ElastoonWorld world, ElastoonRecording* out_recording);
+/** From the bytes of elastoonRecordingBytes(). Refused: bytes that are damaged, of another version, or unsound. */
+ELASTOON_API ElastoonResult elastoonRecordingRead(const void* bytes, size_t size, ElastoonRecording* out_recording);
+ELASTOON_API ElastoonResult elastoonRecordingDestroy(ElastoonRecording recording);
+ELASTOON_API bool elastoonRecordingIsValid(ElastoonRecording recording);
+ELASTOON_API ElastoonResult elastoonRecordingInfo(ElastoonRecording recording, ElastoonRecordingInfo* out_info);
+/** All of it, with the shapes; capacity and size are in bytes. */
+ELASTOON_API ElastoonResult elastoonRecordingBytes(ElastoonRecording recording, void* out_bytes, size_t capacity,
+                                                   size_t* out_size);
+/** Makes the world the one that the recording began with, as elastoonWorldRestore() does: then replay. Refused: a world
+    that is being recorded. */
+ELASTOON_API ElastoonResult elastoonRecordingStart(ElastoonRecording recording, ElastoonWorld world);
+/** Takes a world that is where the recorded one was before step `from` (0 to step_count) through its inputs and steps,
+    up to step `to`, which is not made, nor its inputs. Inputs after the last step are made if `to` is greater than
+    step_count: SIZE_MAX is good for all. Refused: a world that is being recorded; and at the first input that the
+    world does not take as the recorded one did: elastoonLastError() tells which, and the world is where it came to. */
+ELASTOON_API ElastoonResult elastoonRecordingReplay(ElastoonRecording recording, ElastoonWorld world, size_t from,
+                                                    size_t to);
+/** Takes the world that is being recorded back to a snapshot from before step `step` (0 to step_count) and its inputs,
+    and forgets what was recorded since. Refused as elastoonWorldRestore(), and for a recording that is not live. */
+ELASTOON_API ElastoonResult elastoonRecordingRewind(ElastoonRecording recording, size_t step, const void* bytes,
+                                                    size_t size);
 
 /* ---- Bodies ---- */
 
@@ -427,6 +465,7 @@ typedef struct ElastoonObstacleDef {
     const ElastoonPathKey* path; /**< copied; null: it goes on with its velocities */
     size_t path_count;
     bool path_repeats; /**< at the last key it jumps back to where it was added */
+    uint64_t user_data; /**< yours; not read; 0 */
 } ElastoonObstacleDef;
 
 /** Where an obstacle is and how it moves, now. */
@@ -450,6 +489,7 @@ ELASTOON_API ElastoonResult elastoonObstacleFrame(ElastoonObstacle obstacle, Ela
 ELASTOON_API ElastoonResult elastoonObstacleShape(ElastoonObstacle obstacle, ElastoonShape* out_shape);
 /** Of a plane, unit, in its frame. */
 ELASTOON_API ElastoonResult elastoonObstaclePlaneNormal(ElastoonObstacle obstacle, ElastoonVec3* out_normal);
+ELASTOON_API ElastoonResult elastoonObstacleUserData(ElastoonObstacle obstacle, uint64_t* out_user_data);
 /** It goes on from where it is with these velocities, and leaves its path; bodies on it go along. */
 ELASTOON_API ElastoonResult elastoonObstacleSetMotion(ElastoonObstacle obstacle, ElastoonVec3 velocity,
                                                       ElastoonVec3 angular_velocity);

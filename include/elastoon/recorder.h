@@ -80,6 +80,9 @@ struct Recording {
 
     /// Adds an input, after those that the same step has: for one that comes late.
     void insert(std::size_t step, Input what);
+    /// Forgets the inputs and steps from step `step` on: for a world that was restored to before them and goes another
+    /// way.
+    void cut(std::size_t step);
     /// With all shapes in them.
     [[nodiscard]] std::vector<std::byte> toBytes() const;
     /// Refused: bytes that are damaged, of another version, or unsound.
@@ -93,7 +96,8 @@ Status apply(const Input& input, World& world);
 inline constexpr std::size_t kAllSteps = std::numeric_limits<std::size_t>::max();
 
 /// Takes a world that is where the recording's was before step `from` through its inputs and steps, up to step `to`
-/// (which is not made, nor its inputs). Ends at the first input that is refused, and says which.
+/// (which is not made, nor its inputs). Inputs after the last step are made if `to` is beyond it, as kAllSteps is. Ends
+/// at the first input that is refused, and says which.
 Status replay(const Recording& recording, World& world, std::size_t from = 0, std::size_t to = kAllSteps);
 /// A world of its own, from the recording's start through all of it.
 Result<World> replay(const Recording& recording, const ParallelFor& parallel_for = {});
@@ -109,6 +113,8 @@ public:
     [[nodiscard]] const Recording& recording() const { return recording_; }
     /// Adds an input to the recording alone, for a step that is over: replay() then takes a restored world through it.
     void insert(std::size_t step, Input what) { recording_.insert(step, std::move(what)); }
+    /// As Recording's, when the world was restored to a snapshot from before step `step`.
+    void cut(std::size_t step) { recording_.cut(step); }
 
     /// As those of World.
     Result<BodyId> addBody(const BodyDef& def);

@@ -72,7 +72,7 @@ struct ObstacleDef {
     std::vector<PathKey> path;
     /// From the last key (at 0.001 s or later) it jumps back to where it was added: make the two the same place.
     bool path_repeats = false;
-    std::uint64_t user_data = 0;
+    std::uint64_t user_data = 0; ///< yours; not read
 
     [[nodiscard]] bool moves() const;
     /// The plane { x : x . normal = offset }, solid on the side that the normal points away from.
@@ -216,6 +216,7 @@ public:
     [[nodiscard]] const MovingFrame& frame(ObstacleId id) const;
     [[nodiscard]] const ShapePtr& shape(ObstacleId id) const; ///< null for a plane
     [[nodiscard]] Vec3 planeNormal(ObstacleId id) const; ///< of a plane, in its frame
+    [[nodiscard]] std::uint64_t userData(ObstacleId id) const;
 
     /// 64 bits over time and over every body's phase and pose: equal worlds have equal hashes, on every machine.
     [[nodiscard]] std::uint64_t stateHash() const;

@@ -119,23 +119,28 @@ export function writeBodyDef(c: Core, desc: BodyDesc): number {
 /** A body of a world. Calls on one that was removed throw, with the code "bad id". */
 export class Body {
   readonly world: World;
-  readonly shape: Shape;
   name: string;
+  /** As its description gave it; undefined where a scene, a snapshot or a recording brought it. */
   userData: unknown;
   /** sRGB, 0 to 1, of a body that a scene brought. */
   color: Readonly<Vector> | undefined;
   /** @internal */
   readonly id: Id;
 
-  /** @internal */
-  constructor(world: World, id: Id, shape: Shape, name = "", userData?: unknown) {
+  private ownShape: Shape | undefined;
+
+  /** @internal Without a shape: that is asked for when it is needed, of a body that may be gone. */
+  constructor(world: World, id: Id, shape?: Shape, name = "", userData?: unknown) {
     this.world = world;
     this.id = id;
-    this.shape = shape;
+    this.ownShape = shape;
     this.name = name;
     this.userData = userData;
   }
 
+  get shape(): Shape {
+    return (this.ownShape ??= this.world.shapeOf("elastoonBodyShape", this.id));
+  }
   /** Its place in `world.matrices`: as long as it lives. */
   get index(): number {
     return this.id.slot - 1;

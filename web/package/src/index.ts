@@ -8,6 +8,7 @@ export { styleDescriptions, styleNames, styleParameters } from "./generated/styl
 export type { StyleName, StyleParameterInfo, StyleParameters } from "./generated/styles.js";
 export { type Frame, Obstacle, ObstacleDesc, type PathKey } from "./obstacle.js";
 export { ImpactCurve, type ImpactInput, stretchAtSpeed } from "./model.js";
+export { Recording } from "./recording.js";
 export { type Camera, Scene } from "./scene.js";
 export { Shape, type ShapeKind } from "./shape.js";
 export { type StyleLike, styleNamed } from "./style.js";

@@ -25,6 +25,8 @@ export class ObstacleDesc {
   path: PathKey[] = [];
   pathRepeats = false;
   name = "";
+  /** Yours; not read. */
+  userData: unknown = undefined;
 
   constructor(shape: Shape | null) {
     this.shape = shape;
@@ -71,6 +73,10 @@ export class ObstacleDesc {
   }
   setName(name: string): this {
     this.name = name;
+    return this;
+  }
+  setUserData(data: unknown): this {
+    this.userData = data;
     return this;
   }
 }
@@ -124,17 +130,20 @@ export class Obstacle {
   /** Null: a plane. */
   readonly shape: Shape | null;
   name: string;
+  /** As its description gave it; undefined where a scene, a snapshot or a recording brought it. */
+  userData: unknown;
   /** sRGB, 0 to 1, of an obstacle that a scene brought. */
   color: Readonly<Vector> | undefined;
   /** @internal */
   readonly id: Id;
 
   /** @internal */
-  constructor(world: World, id: Id, shape: Shape | null, name = "") {
+  constructor(world: World, id: Id, shape: Shape | null, name = "", userData?: unknown) {
     this.world = world;
     this.id = id;
     this.shape = shape;
     this.name = name;
+    this.userData = userData;
   }
   isValid(): boolean {
     const c = core();

@@ -12,8 +12,9 @@ export class World {
   readonly id: Id;
   private readonly bodiesBySlot: (Body | undefined)[] = [];
   private readonly obstaclesBySlot: (Obstacle | undefined)[] = [];
-  /** Bodies that are gone, but that the events of the last step may be about. */
+  /** Bodies that are gone, but that the events of the last step may be about: first those that went before it. */
   private readonly removed: Body[] = [];
+  private removedBefore = 0;
   private matrixView: Float32Array | undefined;
   private eventList: readonly ElastoonEvent[] | undefined;
   private alive = true;
@@ -35,8 +36,7 @@ export class World {
 
   /** Moves the world on by dt s. */
   step(dt = 1 / 60): void {
-    this.changed();
-    this.removed.length = 0;
+    this.stepping();
     const c = core();
     c.call("elastoonWorldStep", c.putId(this.id), dt);
   }
@@ -102,7 +102,7 @@ export class World {
       c.call("elastoonObstacleCreate", c.putId(this.id), def, out);
       return c.id(out);
     });
-    const obstacle = new Obstacle(this, id, desc.shape, desc.name);
+    const obstacle = new Obstacle(this, id, desc.shape, desc.name, desc.userData);
     this.obstaclesBySlot[id.slot - 1] = obstacle;
     return obstacle;
   }
@@ -175,7 +175,8 @@ export class World {
       c.free(at);
     }
   }
-  /** Makes this world the one of the snapshot. Refused, with the world as it was: bytes that are damaged. */
+  /** Makes this world the one of the snapshot. Refused, with the world as it was: bytes that are damaged; and a world
+   *  that is being recorded (`Recording.rewind()` takes both back). */
   restore(bytes: Uint8Array): void {
     const c = core();
     this.changed();
@@ -197,13 +198,20 @@ export class World {
     this.matrixView = undefined;
     this.eventList = undefined;
   }
+  /** @internal Likewise before what makes other events. */
+  stepping(): void {
+    this.changed();
+    this.removed.splice(0, this.removedBefore);
+    this.removedBefore = this.removed.length;
+  }
   /** @internal The body of an id of this world. */
   bodyOf(id: Id): Body {
+    return this.knownBody(id) ?? new Body(this, id);
+  }
+  private knownBody(id: Id): Body | undefined {
     const known = this.bodiesBySlot[id.slot - 1];
     if (known?.id.generation === id.generation) return known;
-    const gone = this.removed.find((body) => body.id.slot === id.slot && body.id.generation === id.generation);
-    if (gone !== undefined) return gone;
-    return new Body(this, id, this.shapeOf("elastoonBodyShape", id));
+    return this.removed.find((body) => body.id.slot === id.slot && body.id.generation === id.generation);
   }
   /** @internal */
   obstacleOf(id: Id): Obstacle | null {
@@ -212,7 +220,11 @@ export class World {
   }
   /** @internal Makes objects for what is in the world and has none, and forgets those of what is not. */
   adopt(): void {
-    this.adoptInto(this.bodiesBySlot, "elastoonWorldBodies", (id) => this.bodyOf(id));
+    const before = this.bodies();
+    this.adoptInto(this.bodiesBySlot, "elastoonWorldBodies", (id) => {
+      return this.knownBody(id) ?? new Body(this, id, this.shapeOf("elastoonBodyShape", id));
+    });
+    this.removed.push(...before.filter((body) => !this.has(body)));
     this.adoptInto(this.obstaclesBySlot, "elastoonWorldObstacles", (id) => {
       return this.obstacleOf(id) ?? new Obstacle(this, id, this.shapeOf("elastoonObstacleShape", id, true));
     });
@@ -234,9 +246,11 @@ export class World {
     into.length = 0;
     made.forEach((thing, i) => (into[i] = thing));
   }
-  private shapeOf(name: string, id: Id): Shape;
-  private shapeOf(name: string, id: Id, maybe: true): Shape | null;
-  private shapeOf(name: string, id: Id, _maybe?: true): Shape | null {
+  /** @internal */
+  shapeOf(name: string, id: Id): Shape;
+  /** @internal */
+  shapeOf(name: string, id: Id, maybe: true): Shape | null;
+  shapeOf(name: string, id: Id, _maybe?: true): Shape | null {
     const c = core();
     const out = c.take(layout.Shape.size);
     c.call(name, c.putId(id, this.id), out);

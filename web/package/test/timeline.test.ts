@@ -1,7 +1,7 @@
 // Timelines and curves: any time, both ways, and the check figures of docs/model.md.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import Elastoon, { BodyDesc, ImpactCurve, ObstacleDesc, Scene, stretchAtSpeed, styleNamed, Timeline, World } from "elastoon";
+import Elastoon, { BodyDesc, type ElastoonError, ImpactCurve, ObstacleDesc, Scene, stretchAtSpeed, styleNamed, Timeline, World } from "elastoon";
 
 await Elastoon.init();
 
@@ -42,6 +42,22 @@ test("an empty world has a timeline too", () => {
   const timeline = new Timeline(new World());
   assert.equal(timeline.matricesAt(0).length, 0);
   assert.deepEqual(timeline.events(), []);
+});
+
+test("a timeline's events outlive their bodies", () => {
+  const world = worldWithBall();
+  const timeline = new Timeline(world);
+  for (let i = 0; i < 120; ++i) {
+    if (i === 90) world.removeBody(world.bodies()[0]!);
+    world.step();
+    timeline.capture();
+  }
+  const body = timeline.events()[0]!.body;
+  assert.equal(body.index, 0);
+  assert.equal(body.isValid(), false);
+  assert.throws(() => body.shape, (error: ElastoonError) => error.code === "bad id");
+  timeline.dispose();
+  world.dispose();
 });
 
 test("the curve of an impact", () => {

@@ -163,10 +163,27 @@ test("snapshots go on to the bit, predictions come true", () => {
   world.dispose();
 });
 
+test("events name bodies that were removed before the step that tells of them", () => {
+  const world = worldWithFloor();
+  const ball = world.createBody(BodyDesc.ball(0.5).setTranslation(0, 0.6, 0));
+  while (ball.phase().kind !== "rest") world.step();
+  world.obstacleNamed("floor")!.setPose({ x: 0, y: -3, z: 0 });
+  world.removeBody(ball);
+  world.step();
+  const [event] = world.events();
+  assert.equal(event!.type, "wake");
+  assert.equal(event!.body, ball);
+  assert.equal(event!.body.isValid(), false);
+  world.step();
+  assert.equal(world.events().length, 0);
+  world.dispose();
+});
+
 test("obstacles move, follow paths, and let go", () => {
   const world = worldWithFloor();
   const lift = world.createObstacle(
-    ObstacleDesc.box(2, 1, 2).setTranslation(0, 5, 0).setPath([{ time: 1, position: { x: 0, y: 6, z: 0 } }]));
+    ObstacleDesc.box(2, 1, 2).setTranslation(0, 5, 0).setPath([{ time: 1, position: { x: 0, y: 6, z: 0 } }])
+      .setUserData("up"));
   world.step(0.5);
   assert.ok(Math.abs(lift.frame().position.y - 5.5) < 1e-12);
   lift.setPose({ x: 0, y: 4, z: 0 });
@@ -176,6 +193,8 @@ test("obstacles move, follow paths, and let go", () => {
   lift.setMotion({ x: 1, y: 0, z: 0 });
   assert.equal(lift.frame().linvel.x, 1);
   assert.deepEqual(world.obstacles()[0]!.planeNormal(), { x: 0, y: 1, z: 0 });
+  assert.equal(lift.userData, "up");
+  assert.equal(world.obstacleNamed("floor")!.userData, undefined);
   assert.throws(() => lift.moveTo({ x: 0, y: 0, z: 0 }, 0), refusedAs("bad argument", /./));
   world.removeObstacle(lift);
   assert.equal(world.obstacles().length, 1);
