@@ -6,13 +6,16 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 namespace elastoon {
 
 namespace {
 
 void printAndAbort(const char* condition, const char* message, const char* file, int line) {
-    std::fprintf(stderr, "elastoon: %s (%s, at %s:%d)\n", message, condition, file, line);
+    const std::string text =
+        std::string("elastoon: ") + message + " (" + condition + ", at " + file + ":" + std::to_string(line) + ")\n";
+    std::fputs(text.c_str(), stderr);
 #ifndef NDEBUG
     std::abort();
 #endif

@@ -1,6 +1,7 @@
 // The solids, as points handed to the hull; their frames are laid by the solids' own symmetry. See shape.h.
 #include "elastoon/shape.h"
 
+#include "check_input.h"
 #include "dmath.h"
 #include "hash.h"
 #include "shape_parts.h"
@@ -19,16 +20,11 @@ namespace {
 /// Up to this many, looking at all is as quick as climbing.
 constexpr std::size_t kFewVertices = 16;
 
-std::string numberText(double value) {
-    std::string text = std::to_string(value);
-    return text;
-}
-
 std::optional<Error> checkSize(double value, const char* what) {
     if (std::isfinite(value) && value >= Shape::kMinSize && value <= Shape::kMaxSize) {
         return std::nullopt;
     }
-    return Error{std::string("must be a length from 1e-9 to 1e9 m, is ") + numberText(value), what};
+    return Error{std::string("must be a length from 1e-9 to 1e9 m, is ") + shortNumber(value), what};
 }
 
 std::optional<Error> checkSides(int value, int least, int most, int step, const char* what) {
@@ -147,7 +143,7 @@ Result<ShapePtr> Shape::capsule(double radius, double length, int sides) {
         }
     }
     if (length < 2.0 * radius) {
-        return Error{"must be at least twice the radius (it is measured from tip to tip), is " + numberText(length),
+        return Error{"must be at least twice the radius (it is measured from tip to tip), is " + shortNumber(length),
                      "length"};
     }
     std::vector<Vec3> points;

@@ -370,14 +370,15 @@ void World::Impl::advanceBodies(double to) {
         }
         part.advanced = busy.size();
         const Lock lock(guard);
-        parts.push_back(std::move(part));
+        const auto later =
+            std::partition_point(parts.begin(), parts.end(), [&](const Part& p) { return p.begin < begin; });
+        parts.insert(later, std::move(part));
     };
     if (parallel_for) {
         parallel_for(bodies.size(), advanceRange);
     } else {
         advanceRange(0, bodies.size());
     }
-    std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.begin < b.begin; });
     for (Part& part : parts) {
         profile.advanced += part.advanced;
         for (const PhaseBegun& begun : part.out.phases) {
