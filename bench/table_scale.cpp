@@ -35,17 +35,15 @@ struct Scale {
 Scale measureScale(std::size_t count, const Effort& effort, const std::string& name, Report& report) {
     const BenchWorld scene = benchWorld("rain", count);
     const double before = bytesInUse();
+    const int warm = effort.quick ? 1 : 60;
+    const int rounds = effort.quick ? 1 : 5;
+    const int steps = effort.quick ? 1 : static_cast<int>(std::clamp<std::size_t>(1000000 / count, 1, 20));
     const auto one = ourWorld(scene, 1);
-    one->step();
+    wallNanoseconds(*one, count, warm);
     Scale scale;
     scale.bytes = (bytesInUse() - before) / static_cast<double>(count);
     const auto two = ourWorld(scene, 2);
-    two->step();
-    const int warm = effort.quick ? 0 : 60;
-    const int rounds = effort.quick ? 1 : 5;
-    const int steps = effort.quick ? 1 : static_cast<int>(std::clamp<std::size_t>(1000000 / count, 1, 20));
-    wallNanoseconds(*one, count, std::max(1, warm));
-    wallNanoseconds(*two, count, std::max(1, warm));
+    wallNanoseconds(*two, count, warm);
     std::vector<double> ones;
     std::vector<double> twos;
     for (int round = 0; round < rounds; ++round) {
