@@ -41,7 +41,7 @@ std::string shortNumber(double value) {
     for (; scaled < kLeast; --exponent) {
         scaled *= 10.0;
     }
-    auto rounded = static_cast<std::int64_t>(scaled + 0.5);
+    auto rounded = static_cast<std::int64_t>(std::floor(scaled + 0.5));
     if (rounded >= static_cast<std::int64_t>(10.0 * kLeast)) {
         rounded /= 10;
         ++exponent;
