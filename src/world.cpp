@@ -296,11 +296,26 @@ void World::Impl::followPaths() {
     }
 }
 
+namespace {
+
+/// Empties the list, and gives back room that the last step hardly used: a world that is filled has a phase for each
+/// body.
+template <class T>
+void renew(std::vector<T>& list, std::vector<T>& pending) {
+    constexpr std::size_t kLittle = 1024;
+    const std::size_t wanted = 8 * std::max(list.size(), kLittle);
+    list.clear();
+    if (list.capacity() > wanted) {
+        list.shrink_to_fit();
+    }
+    std::swap(list, pending);
+}
+
+} // namespace
+
 void World::Impl::takePending() {
-    events.clear();
-    phases.clear();
-    std::swap(events, pending.events);
-    std::swap(phases, pending.phases);
+    renew(events, pending.events);
+    renew(phases, pending.phases);
 }
 
 namespace {
