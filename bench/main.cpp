@@ -66,6 +66,7 @@ int runBench(int argc, char** argv) {
     runHullTable(choice, report);
     runWorldTable(choice, report);
     runScaleTable(choice, report);
+    runRollbackTable(choice, report);
     if (report.empty()) {
         fmt::print(stderr, "elastoon_bench: no cell's name holds \"{}\"\n", choice.filter);
         return 2;

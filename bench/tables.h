@@ -12,5 +12,6 @@ void runSupportTable(const Choice& choice, Report& report);
 void runHullTable(const Choice& choice, Report& report);
 void runWorldTable(const Choice& choice, Report& report);
 void runScaleTable(const Choice& choice, Report& report);
+void runRollbackTable(const Choice& choice, Report& report);
 
 } // namespace elastoon
