@@ -154,6 +154,7 @@ private:
     [[nodiscard]] std::optional<Vec3> nextShift();
     void cut(const KeptClear& kept);
     bool activateNext();
+    bool solve();
     bool moveTo(const Vec3& shift);
 
     const Phase& phase_;
@@ -259,14 +260,29 @@ bool Mover::activateNext() {
 }
 
 bool Mover::run() {
-    const double length = shape_.length();
-    if (!activateNext()) {
+    // One after the other, so that one that does not bind where the others have put the body changes nothing.
+    if (!activateNext() || solve()) {
         return true;
     }
+    // Again with all at once: what one of them alone asks for may lead away from what there is for all.
+    pose_ = own_;
+    cuts_.clear();
+    active_.clear();
+    for (std::size_t i = 0; i < phase_.clear_of.size(); ++i) {
+        if (t_ <= phase_.clear_of[i].until) {
+            active_.push_back(i);
+        }
+    }
+    return active_.size() > 1 && solve();
+}
+
+/// From no shift on, with those that are active and those that come to it. False if there is no way, or nothing to
+/// stand on there.
+bool Mover::solve() {
+    const double length = shape_.length();
     if (!moveTo(Vec3(0.0))) {
         return false;
     }
-    // One after the other, so that one that does not bind where the others have put the body changes nothing.
     for (int round = 0; round < kMostRounds; ++round) {
         const auto next = nextShift();
         if (!next) {
