@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 #include <vector>
 
 namespace elastoon {
@@ -265,15 +266,24 @@ bool Mover::run() {
         return true;
     }
     // Again with all at once: what one of them alone asks for may lead away from what there is for all.
-    pose_ = own_;
-    cuts_.clear();
-    active_.clear();
+    std::vector<std::size_t> all;
     for (std::size_t i = 0; i < phase_.clear_of.size(); ++i) {
         if (t_ <= phase_.clear_of[i].until) {
-            active_.push_back(i);
+            all.push_back(i);
         }
     }
-    return active_.size() > 1 && solve();
+    if (all.size() < 2) {
+        return false;
+    }
+    const Pose reached = pose_;
+    pose_ = own_;
+    cuts_.clear();
+    active_ = std::move(all);
+    if (!solve()) {
+        pose_ = reached;
+        return false;
+    }
+    return true;
 }
 
 /// From no shift on, with those that are active and those that come to it. False if there is no way, or nothing to
