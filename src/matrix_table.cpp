@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace elastoon {
 
@@ -132,26 +133,30 @@ void MatrixTable::writePose(std::size_t slot, const BodySlot& body, double t) {
 }
 
 void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
+    constexpr double kForEver = std::numeric_limits<double>::infinity();
     Block& block = blocks_[slot / kLanes];
     const std::size_t lane = slot % kLanes;
+    const auto put = [&](Kind kind, double posed_until) {
+        block.kinds[lane] = kind;
+        block.posed_until[lane] = posed_until;
+        block.any_posed_until = *std::max_element(block.posed_until.begin(), block.posed_until.end());
+    };
     if (!body.used) {
-        block.kinds[lane] = Kind::Written;
+        put(Kind::Written, -kForEver);
         std::fill_n(&matrices_[kFloats * slot], kFloats, 0.0F);
         return;
     }
-    block.kinds[lane] = Kind::Posed;
+    put(Kind::Posed, kForEver);
     if (const auto* flight = body.phase.as<Flight>(); flight != nullptr && flight->gravity == gravity_) {
         constexpr double kAfter = 1e-9; ///< s, past all doubt of rounding
-        block.kinds[lane] = Kind::Lane;
         setLane(block.lanes, lane, body.phase);
         const Phase& phase = body.phase;
-        block.lane_from[lane] =
-            std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
-                     flight->ease.span > 0.0 ? phase.start + flight->ease.span + kAfter : phase.start);
+        put(Kind::Lane, std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
+                                 flight->ease.span > 0.0 ? phase.start + flight->ease.span + kAfter : phase.start));
     } else if (const auto* rest = body.phase.as<Rest>()) {
         if (!rest->surface.frame.moves() && body.phase.clear_of.empty()) {
             writePose(slot, body, t);
-            block.kinds[lane] = Kind::Written;
+            put(Kind::Written, -kForEver);
         }
     }
 }
@@ -181,35 +186,31 @@ void MatrixTable::takeChanges(double t, const std::vector<BodySlot>& bodies, con
     all_changed_ = false;
 }
 
-/// Calls what(body) for those of the block whose pose is asked for, one by one.
+/// Calls what(slot) for those of the block whose pose is asked for, one by one.
 template <class What>
-void MatrixTable::forPosed(std::size_t index, double t, const std::vector<BodySlot>& bodies, What&& what) const {
-    if (index >= blocks_.size()) {
+void MatrixTable::forPosed(std::size_t index, double t, What&& what) const {
+    if (index >= blocks_.size() || t >= blocks_[index].any_posed_until) {
         return;
     }
-    const Block& block = blocks_[index];
-    const std::size_t count = std::min(kLanes, bodies.size() - index * kLanes);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (block.kinds[i] == Kind::Posed || (block.kinds[i] == Kind::Lane && t < block.lane_from[i])) {
-            what(bodies[index * kLanes + i]);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        if (t < blocks_[index].posed_until[i]) {
+            what(index * kLanes + i);
         }
     }
 }
 
 void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<BodySlot>& bodies) {
-    forPosed(index + 4, t, bodies, prefetchSlot);
-    forPosed(index + 2, t, bodies, prefetchRest);
+    forPosed(index + 4, t, [&](std::size_t slot) { prefetchSlot(bodies[slot]); });
+    forPosed(index + 2, t, [&](std::size_t slot) { prefetchRest(bodies[slot]); });
+    forPosed(index, t, [&](std::size_t slot) { writePose(slot, bodies[slot], t); });
     const Block& block = blocks_[index];
     const std::size_t first = index * kLanes;
     const std::size_t count = std::min(kLanes, bodies.size() - first);
     std::array<bool, kLanes> by_lane{};
     bool any = false;
     for (std::size_t i = 0; i < count; ++i) {
-        by_lane[i] = block.kinds[i] == Kind::Lane && t >= block.lane_from[i];
+        by_lane[i] = block.kinds[i] == Kind::Lane && t >= block.posed_until[i];
         any = any || by_lane[i];
-        if (!by_lane[i] && block.kinds[i] != Kind::Written) {
-            writePose(first + i, bodies[first + i], t);
-        }
     }
     if (!any) {
         return;

@@ -37,18 +37,19 @@ public:
 private:
     enum class Kind : std::uint8_t {
         Written, ///< it stays as it is
-        Lane, ///< a flight, from `lane_from` on
+        Lane, ///< a flight, from `posed_until` on
         Posed, ///< by poseAt()
     };
     struct Block {
         FlightLanes lanes{};
-        std::array<double, FlightLanes::kCount> lane_from{};
+        std::array<double, FlightLanes::kCount> posed_until{}; ///< before it, by poseAt()
+        double any_posed_until = 0.0; ///< the latest of them
         std::array<Kind, FlightLanes::kCount> kinds{};
     };
     void take(std::size_t slot, const BodySlot& body, double t);
     void takeChanges(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity);
     template <class What>
-    void forPosed(std::size_t index, double t, const std::vector<BodySlot>& bodies, What&& what) const;
+    void forPosed(std::size_t index, double t, What&& what) const;
     void writeBlock(std::size_t index, double t, const std::vector<BodySlot>& bodies);
     void writePose(std::size_t slot, const BodySlot& body, double t);
 
