@@ -36,15 +36,18 @@ Figures measure(const BenchWorld& scene, bool soft, const Effort& effort, Report
         rigid->step();
     }
     hash = ours->hash();
-    const auto many = [](WorldContender& contender, int steps) {
-        for (int i = 0; i < steps; ++i) {
+    const auto many = [](WorldContender& contender, std::size_t steps) {
+        for (std::size_t i = 0; i < steps; ++i) {
             contender.step();
         }
     };
     const std::size_t count = scene.bodies.size();
-    const int steps = effort.quick ? 1 : 8;
-    std::vector<Job> jobs{{[&] { many(*ours, steps); }, count * static_cast<std::size_t>(steps)},
-                          {[&] { many(*rigid, 1); }, count}};
+    // Turns of about the time that one step of the soft bodies takes, so that none only warms the caches for itself.
+    const auto turn = [&](WorldContender& contender, std::size_t body_steps) {
+        const std::size_t steps = effort.quick ? 1 : std::max<std::size_t>(1, body_steps / count);
+        return Job{[&contender, steps, many] { many(contender, steps); }, count * steps};
+    };
+    std::vector<Job> jobs{turn(*ours, 80000), turn(*rigid, 4000)};
     if (soft) {
         jobs.push_back({[&] { many(*yielding, 1); }, count});
     }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace elastoon {
 
@@ -26,6 +25,16 @@ HalfRates ratesOf(const Impact& impact, double length, double span, double omega
     return {impact.turn_angle * (alone ? 1.5 : 1.0) / length, std::fabs(span) * omega};
 }
 
+/// Greatest distance from the centroid with a stretch in between: of each point it is convex in the stretch.
+double reachBetween(const Shape& shape, double flattest, double longest) {
+    const auto reachAt = [&](double stretch) {
+        const double along = stretch * shape.reachAlong();
+        return std::sqrt(along * along + shape.reachAcross() * shape.reachAcross() / stretch);
+    };
+    return std::min(std::max(reachAt(flattest), reachAt(longest)),
+                    shape.boundingRadius() * std::max(longest, 1.0 / std::sqrt(flattest)));
+}
+
 HeldBounds impactBounds(const Impact& impact, const Shape& shape, double from, double to) {
     const ImpactCurve& curve = impact.curve;
     const double middle = impact.begun + curve.t_in;
@@ -41,10 +50,9 @@ HeldBounds impactBounds(const Impact& impact, const Shape& shape, double from, d
     }
     const double longest = std::max({curve.s_in, curve.s_mid, curve.s_out});
     const double flattest = std::min({curve.s_in, curve.s_mid, curve.s_out});
-    const double along = longest * shape.reachAlong();
-    const double across = shape.reachAcross() / std::sqrt(flattest);
     HeldBounds bounds;
-    bounds.reach = std::sqrt(along * along + across * across);
+    bounds.reach = reachBetween(shape, flattest, longest);
+    const double across = shape.reachAcross() / std::sqrt(flattest);
     const double widening = 0.5 * across / flattest;
     const double stretching = most.stretch * std::sqrt(shape.reachAlong() * shape.reachAlong() + widening * widening);
     // Twice: about the contact, not the centroid. As much again for the way along the normal; on a solid it may be
@@ -59,9 +67,7 @@ HeldBounds impactBounds(const Impact& impact, const Shape& shape, double from, d
 
 HeldBounds restBounds(const Rest& rest, const Shape& shape) {
     HeldBounds bounds;
-    const double along = rest.pose.stretch * shape.reachAlong();
-    const double across = shape.reachAcross() / std::sqrt(rest.pose.stretch);
-    bounds.reach = std::sqrt(along * along + across * across);
+    bounds.reach = reachBetween(shape, rest.pose.stretch, rest.pose.stretch);
     const MovingFrame& frame = rest.surface.frame;
     bounds.speed = glm::length(frame.velocity) +
                    glm::length(frame.angular_velocity) * (glm::length(rest.pose.position) + bounds.reach);
@@ -80,12 +86,11 @@ HeldBounds slideBounds(const Slide& slide, const Shape& shape, double from, doub
     const bool eases = from - slide.begun < slide.ease.span;
     const double longest = std::max(slideStretch(slide, speed), eases ? slide.ease.stretch : 1.0);
     const double flattest = eases ? std::min(1.0, slide.ease.stretch) : 1.0;
-    const double along = longest * shape.reachAlong();
     const double wide = shape.reachAcross() / std::sqrt(flattest);
     const double easing = eases ? 1.5 / slide.ease.span : 0.0;
     const double stretching = slide.stretch_rate * (slide.max_stretch - 1.0) * pull + easing * (longest - flattest);
     HeldBounds bounds;
-    bounds.reach = std::sqrt(along * along + wide * wide);
+    bounds.reach = reachBetween(shape, flattest, longest);
     const double widening = 0.5 * wide / flattest;
     const double form = stretching * std::sqrt(shape.reachAlong() * shape.reachAlong() + widening * widening) +
                         (turning + easing * slide.ease.angle) * bounds.reach;
@@ -121,18 +126,29 @@ HeldBounds heldBounds(const Phase& phase, const Shape& shape, double from, doubl
     return bounds;
 }
 
-double ballAboutContact(const Phase& phase, double reach, double to) {
+double Drum::lowest(const Vec3& direction) const {
+    const double along = glm::dot(direction, normal);
+    const double across = glm::length(direction - normal * along);
+    return std::min(along * above, -along * below) - across * radius;
+}
+
+std::optional<Drum> drumAboutContact(const Phase& phase, double reach, double to) {
     const auto* impact = phase.as<Impact>();
     const auto presses = [](const KeptClear& kept) { return kept.presses; };
     if (impact == nullptr || impact->surface.frame.moves() ||
         std::any_of(phase.clear_of.begin(), phase.clear_of.end(), presses)) {
-        return std::numeric_limits<double>::infinity();
+        return std::nullopt;
     }
-    // The centroid is within one reach of the contact along the surface and across it, so within 1.42; and one on. Over
-    // a solid's edge it may be two lower. A push moves it by two (push.cpp, kMostPush), and up from what it meets
-    // there.
-    const double pushed = phase.clear_of.empty() ? 0.0 : 6.0;
-    return ((impact->surface.solid ? 4.5 : 2.5) + pushed) * reach + glm::length(impact->skims) * (to - impact->begun);
+    // The centroid is within one reach of the material point that stays over the contact, the rest one further. What
+    // lies on the plane goes no higher than two. On a solid the body is let down, till it touches, no further than
+    // where that point is on the plane; it may hang over an edge. Where it skims off the face, that point may sink by
+    // two more. A push moves it by two (push.cpp, kMostPush), and up from what it meets there.
+    const bool skims = impact->skims != Vec3(0.0);
+    const double pushed = phase.clear_of.empty() ? 0.0 : 6.0 * reach;
+    const double hangs = impact->surface.solid ? (skims ? 4.0 : 2.0) * reach : 0.0;
+    const double most = 2.01 * reach + pushed; // and rounding
+    return Drum{impact->surface.pointAt(impact->begun), impact->surface.normalAt(impact->begun),
+                most + glm::length(impact->skims) * (to - impact->begun), hangs + 0.01 * reach + pushed, most};
 }
 
 } // namespace elastoon

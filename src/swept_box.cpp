@@ -112,10 +112,16 @@ namespace {
 /// Box of a body that is held by a surface.
 Box heldBox(const Phase& phase, const Shape& shape, double from, double to) {
     const HeldBounds bounds = heldBounds(phase, shape, from, to);
-    const double ball = ballAboutContact(phase, bounds.reach, to);
-    if (ball < bounds.reach + bounds.speed * (to - from)) {
-        const Vec3 contact = phase.get<Impact>().surface.pointAt(from);
-        return grown({contact, contact}, ball);
+    const auto drum = drumAboutContact(phase, bounds.reach, to);
+    if (drum && drum->radius < bounds.reach + bounds.speed * (to - from)) {
+        Box box;
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 along(0.0);
+            along[axis] = 1.0;
+            box.low[axis] = drum->foot[axis] + drum->lowest(along);
+            box.high[axis] = drum->foot[axis] - drum->lowest(-along);
+        }
+        return box;
     }
     const Vec3 center = poseAt(phase, shape, from).position;
     return grown({center, center}, bounds.reach + bounds.speed * (to - from));

@@ -72,49 +72,57 @@ Touch stepBack(const Phase& phase, const Shape& shape, const Watched& watched, d
     }
 }
 
-/// That the ball lies before one of the solid's faces, in its frame; false too where it has many.
-bool isBeforeAFace(const Shape& solid, const Vec3& center, double radius) {
+/// That nothing in the drum comes near to it. Of a solid: by its ball, its height over the drum, its faces if few.
+bool isBeyond(const Watched& watched, const Drum& drum, double gap, double t) {
+    const Quat world_from_solid = watched.frame.orientationAt(t);
+    const Vec3 apart = drum.foot - watched.frame.originAt(t);
+    if (!watched.solid) {
+        const Vec3 normal = world_from_solid * watched.normal;
+        return glm::dot(normal, apart) + drum.lowest(normal) > gap;
+    }
+    const Shape& solid = *watched.solid;
+    const double tall = std::max(drum.above, drum.below);
+    if (glm::length(apart) - std::sqrt(drum.radius * drum.radius + tall * tall) > solid.boundingRadius() + gap) {
+        return true;
+    }
+    const Quat solid_from_world = glm::conjugate(world_from_solid);
+    const Vec3 up = solid_from_world * drum.normal;
+    const Vec3 foot = solid_from_world * apart;
+    if (glm::dot(up, solid.vertices()[solid.supportVertex(-up)] - foot) > drum.above + gap) {
+        return true;
+    }
     constexpr std::size_t kMostFaces = 32;
     const auto& normals = solid.topology().face_normals;
     for (std::size_t i = 0; i < normals.size() && normals.size() <= kMostFaces; ++i) {
-        if (glm::dot(normals[i], center - solid.vertices()[solid.face(i)[0]]) > radius) {
+        if (glm::dot(normals[i], foot - solid.vertices()[solid.face(i)[0]]) +
+                drum.lowest(world_from_solid * normals[i]) >
+            gap) {
             return true;
         }
     }
     return false;
 }
-
-/// That nothing of the impact's body, which goes no further than `ball` from the contact, comes near to it.
-bool isBeyond(const Watched& watched, const Vec3& contact, double ball, double t) {
-    const Vec3 apart = contact - watched.frame.originAt(t);
-    if (!watched.solid) {
-        return glm::dot(watched.frame.orientationAt(t) * watched.normal, apart) > ball;
-    }
-    return glm::length(apart) > watched.solid->boundingRadius() + ball ||
-           isBeforeAFace(*watched.solid, glm::conjugate(watched.frame.orientationAt(t)) * apart, ball);
-}
-
-/// The same of a body that always touches the solid.
-bool isBeyondSolid(const Watched& watched, const Surface& surface, double ball, double t) {
-    const Vec3 center = surface.frame.originAt(t);
+/// That nothing within `reach` of the solid that an impact is on comes near to it.
+bool isBeyondSolid(const Watched& watched, const Surface& surface, double reach, double t) {
+    const Vec3 apart = surface.frame.originAt(t) - watched.frame.originAt(t);
     if (watched.solid) {
-        return isBeyond(watched, center, surface.solid->boundingRadius() + ball, t);
+        return glm::length(apart) > watched.solid->boundingRadius() + surface.solid->boundingRadius() + reach;
     }
     const Vec3 normal = watched.frame.orientationAt(t) * watched.normal;
     const Vec3 down = glm::conjugate(surface.frame.orientationAt(t)) * -normal;
-    const double reach = glm::dot(down, surface.solid->vertices()[surface.solid->supportVertex(down)]);
-    return glm::dot(normal, center - watched.frame.originAt(t)) - reach > ball;
+    const double hangs = glm::dot(down, surface.solid->vertices()[surface.solid->supportVertex(down)]);
+    return glm::dot(normal, apart) - hangs > reach;
 }
 
-/// The balls that an impact on something that stands cannot leave show it.
+/// How far an impact's body on something that stands can go shows that it does not come near.
 bool staysAway(const Phase& phase, const Watched& watched, double reach, double from, double to, double gap) {
-    const double ball = ballAboutContact(phase, reach, to) + gap;
-    if (watched.frame.moves() || ball == std::numeric_limits<double>::infinity()) {
+    const auto drum = drumAboutContact(phase, reach, to);
+    if (watched.frame.moves() || !drum) {
         return false;
     }
     const Surface& surface = phase.get<Impact>().surface;
-    return isBeyond(watched, surface.pointAt(from), ball, from) ||
-           (surface.solid && isBeyondSolid(watched, surface, 2.0 * reach + gap, from));
+    return isBeyond(watched, *drum, gap, from) ||
+           (surface.solid && isBeyondSolid(watched, surface, 2.01 * reach + gap, from));
 }
 
 /// A moment that has been looked at, and where in `gaps_` it is kept how far each of those that are watched was.

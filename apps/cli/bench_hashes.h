@@ -18,7 +18,7 @@ inline constexpr BenchScene kBenchScenes[] = {
     {"rain", 10000, 0x6648d5d1adfc5443},    //
     {"ballpit", 10000, 0x09734c0bd3a97657}, //
     {"pachinko", 1000, 0xda78b96eb5e69ef0}, //
-    {"corners", 1000, 0x816550d2dc86991d},
+    {"corners", 1000, 0xfb50946cedad633e},
 };
 
 } // namespace elastoon
