@@ -146,7 +146,7 @@ Pose unpushedPose(const Flight& flight, double elapsed) {
         const Quat turn = turnInPlane(flight, headingAt(flight, 0.0), headingAt(flight, elapsed));
         pose.orientation = turn * flight.orientation;
     }
-    applyEase(flight.ease, elapsed, pose);
+    applyEase(*flight.ease, elapsed, pose);
     return pose;
 }
 
@@ -208,10 +208,10 @@ FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from,
 
     FlightBounds bounds;
     bounds.speed = std::sqrt(most_climb * most_climb + across * across);
-    const bool eases = from < flight.ease.span;
+    const bool eases = from < flight.ease->span;
     const double fastest_stretch = stretchAt(flight, bounds.speed);
-    const double longest = eases ? std::max(fastest_stretch, flight.ease.stretch) : fastest_stretch;
-    const double flattest = eases ? std::min(1.0, flight.ease.stretch) : 1.0;
+    const double longest = eases ? std::max(fastest_stretch, flight.ease->stretch) : fastest_stretch;
+    const double flattest = eases ? std::min(1.0, flight.ease->stretch) : 1.0;
     const double along = longest * shape.reachAlong();
     const double across_reach = shape.reachAcross() / std::sqrt(flattest);
     bounds.reach = std::min(std::sqrt(along * along + across_reach * across_reach),
@@ -220,14 +220,14 @@ FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from,
     const double k = flight.stretch_rate;
     const double damped = k * least_speed + 1.0;
     // The easing's slope is at most 1.5.
-    const double easing = eases ? 1.5 / flight.ease.span : 0.0;
+    const double easing = eases ? 1.5 / flight.ease->span : 0.0;
     const double stretch_rate =
         pull * k * (flight.max_stretch - 1.0) / (damped * damped) + easing * (longest - flattest);
     const double across_part = 0.5 * across_reach / flattest;
     const double lengthening =
         stretch_rate * std::sqrt(shape.reachAlong() * shape.reachAlong() + across_part * across_part);
 
-    double turning = easing * flight.ease.angle;
+    double turning = easing * flight.ease->angle;
     if (across > 0.0 && pull > 0.0 && flight.rule != AxisRule::Fixed) {
         const double floor = flight.rule == AxisRule::Reversal ? flight.reversal_speed : across;
         turning += pull * across / (least_climb * least_climb + floor * floor);

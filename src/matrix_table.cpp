@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace elastoon {
@@ -118,6 +119,39 @@ void poseLanes(const FlightLanes& in, const Vec3& gravity, double t, Columns& ou
 }
 #endif
 
+/// Sixteen whole matrices, one after another: four by four of the columns turned at a time.
+void writeAll(const Columns& columns, float* out) {
+    using Four [[gnu::vector_size(16)]] = float;
+    constexpr std::size_t kFour = 4;
+    for (std::size_t k = 0; k < MatrixTable::kFloats; k += kFour) {
+        for (std::size_t i = 0; i < kLanes; i += kFour) {
+            Four a, b, c, d;
+            std::memcpy(&a, &columns[k][i], sizeof a);
+            std::memcpy(&b, &columns[k + 1][i], sizeof b);
+            std::memcpy(&c, &columns[k + 2][i], sizeof c);
+            std::memcpy(&d, &columns[k + 3][i], sizeof d);
+            const Four ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+            const Four ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+            const Four cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+            const Four cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+            const std::array<Four, kFour> rows{__builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5),
+                                               __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7),
+                                               __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5),
+                                               __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7)};
+            for (std::size_t row = 0; row < kFour; ++row) {
+                std::memcpy(out + MatrixTable::kFloats * (i + row) + k, &rows[row], sizeof(Four));
+            }
+        }
+    }
+}
+
+/// One of them.
+void writeOne(const Columns& columns, std::size_t lane, float* out) {
+    for (std::size_t k = 0; k < MatrixTable::kFloats; ++k) {
+        out[k] = columns[k][lane];
+    }
+}
+
 } // namespace
 
 void MatrixTable::writePose(std::size_t slot, const BodySlot& body, double t) {
@@ -152,7 +186,7 @@ void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
         setLane(block.lanes, lane, body.phase);
         const Phase& phase = body.phase;
         put(Kind::Lane, std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
-                                 flight->ease.span > 0.0 ? phase.start + flight->ease.span + kAfter : phase.start));
+                                 flight->ease->span > 0.0 ? phase.start + flight->ease->span + kAfter : phase.start));
     } else if (const auto* rest = body.phase.as<Rest>()) {
         if (!rest->surface.frame.moves() && body.phase.clear_of.empty()) {
             writePose(slot, body, t);
@@ -207,22 +241,24 @@ void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<Body
     const std::size_t first = index * kLanes;
     const std::size_t count = std::min(kLanes, bodies.size() - first);
     std::array<bool, kLanes> by_lane{};
-    bool any = false;
+    std::size_t flights = 0;
     for (std::size_t i = 0; i < count; ++i) {
         by_lane[i] = block.kinds[i] == Kind::Lane && t >= block.posed_until[i];
-        any = any || by_lane[i];
+        flights += by_lane[i] ? 1 : 0;
     }
-    if (!any) {
+    if (flights == 0) {
         return;
     }
     Columns columns;
     poseLanes(block.lanes, gravity_, t, columns);
+    float* out = &matrices_[kFloats * first];
+    if (flights == kLanes) {
+        writeAll(columns, out);
+        return;
+    }
     for (std::size_t i = 0; i < count; ++i) {
         if (by_lane[i]) {
-            float* out = &matrices_[kFloats * (first + i)];
-            for (std::size_t k = 0; k < kFloats; ++k) {
-                out[k] = columns[k][i];
-            }
+            writeOne(columns, i, out + kFloats * i);
         }
     }
 }

@@ -47,7 +47,8 @@ void Moment::begin(Phase phase) {
         phase.free_from = freeFrom(phase, *body_.shape);
     }
     body_.phase = std::move(phase);
-    body_.plan = {.version = around_.version, .met = nullptr};
+    body_.plan = {};
+    body_.plan.version = around_.version;
     out_.phases.push_back({id_, body_.phase});
 }
 

@@ -20,7 +20,6 @@ inline void prefetchSlot(const BodySlot& body) {
 /// A little later, what it points to.
 inline void prefetchRest(const BodySlot& body) {
     prefetch(body.phase.clear_of.data(), body.phase.clear_of.size() * sizeof(KeptClear));
-    prefetch(body.plan.met.get(), body.plan.met ? sizeof(Met) : 0);
     if (const auto* impact = body.phase.as<Impact>()) {
         prefetch(impact, sizeof *impact);
     }

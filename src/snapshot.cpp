@@ -45,10 +45,9 @@ struct SnapshotMemory {
 namespace {
 
 void writePlan(StateWriter& writer, const Plan& plan) {
-    writer(plan.looked_until, plan.time, plan.window, plan.version, plan.kind, plan.met != nullptr);
-    if (plan.met) {
-        writer(static_cast<std::uint64_t>(plan.met->obstacle));
-        fields(writer, plan.met->surface);
+    writer(plan.looked_until, plan.time, plan.window, plan.version, plan.kind, plan.meets());
+    if (plan.meets()) {
+        writer(plan.obstacle, plan.on_solid, plan.point, plan.normal);
     }
 }
 
@@ -87,23 +86,18 @@ const char* readPlan(StateReader& reader, Plan& plan, const Phase& phase, const 
     if (!meets) {
         return nullptr;
     }
-    std::uint64_t obstacle = 0;
-    Met met;
-    reader(obstacle);
-    fields(reader, met.surface);
+    reader(plan.obstacle, plan.on_solid, plan.point, plan.normal);
     if (!reader.good()) {
         return nullptr;
     }
-    if (obstacle >= obstacles.size() || !obstacles[static_cast<std::size_t>(obstacle)].used) {
+    if (plan.obstacle >= obstacles.size() || !obstacles[plan.obstacle].used) {
         return "what a body meets next must be an obstacle";
     }
-    met.obstacle = static_cast<std::size_t>(obstacle);
-    met.time = plan.time;
-    if (const char* flaw = flawOf(met.surface)) {
-        return flaw;
+    const ObstacleSlot& obstacle = obstacles[plan.obstacle];
+    if (plan.on_solid && obstacle.isPlane()) {
+        return "what a body meets next must be the obstacle's own surface";
     }
-    plan.met = std::make_shared<const Met>(std::move(met));
-    return nullptr;
+    return flawOf(Surface{obstacle.frame, plan.point, plan.normal, plan.on_solid ? obstacle.shape : nullptr});
 }
 
 template <class List>

@@ -95,7 +95,7 @@ const char* flawOf(const Flight& flight, double /*now*/) {
     if (!stretches(flight.max_stretch, flight.stretch_rate)) {
         return "a flight's max_stretch must be from 1 to 100, its stretch_rate from 0 to 1000";
     }
-    return flight.rule <= AxisRule::Fixed ? flawOf(flight.ease) : "a flight's axis rule must be one of the three";
+    return flight.rule <= AxisRule::Fixed ? flawOf(*flight.ease) : "a flight's axis rule must be one of the three";
 }
 
 /// A quarter of a period, or no time at all.

@@ -100,6 +100,18 @@ void fields(Stream& stream, Of<Ease> auto& ease) {
 }
 
 template <class Stream>
+void fields(Stream& stream, const Seldom<Ease>& ease) {
+    fields(stream, *ease);
+}
+
+template <class Stream>
+void fields(Stream& stream, Seldom<Ease>& ease) {
+    Ease read;
+    fields(stream, read);
+    ease = read;
+}
+
+template <class Stream>
 void fields(Stream& stream, Of<Flight> auto& flight) {
     stream(flight.position, flight.velocity, flight.gravity, flight.orientation, flight.up, flight.turn_axis,
            flight.climb, flight.pull, flight.speed_across, flight.reversal_speed, flight.max_stretch,
@@ -133,6 +145,11 @@ void fields(Stream& stream, Of<Slide> auto& slide) {
 template <class Stream>
 void fields(Stream& stream, Of<Boxed<Impact>> auto& impact) {
     fields(stream, *impact);
+}
+
+template <class Stream>
+void fields(Stream& stream, Of<Boxed<Rest>> auto& rest) {
+    fields(stream, *rest);
 }
 
 template <class Stream>

@@ -154,9 +154,8 @@ double pressLetsGo(const BodySlot& body, double from, double to) {
 Plan nextEvent(const Surroundings& around, const BodySlot& body, double from, double to) {
     Plan plan;
     const auto meet = [&](const Met& met) {
-        plan.time = met.time;
-        plan.met = met.time < kNever ? std::make_shared<const Met>(met) : nullptr;
-        return plan.met != nullptr;
+        plan.meet(met);
+        return plan.meets();
     };
     const auto otherwise = [&](double time, Plan::Kind kind) {
         plan.time = time <= to ? time : kNever;
@@ -200,6 +199,10 @@ void planAhead(const Surroundings& around, BodySlot& body, double from) {
     if (rest != nullptr && !rest->surface.frame.moves() && !around.anyMoves() && body.phase.clear_of.empty()) {
         ahead = kNever;
     }
+    // What was left long ago takes no more room: it takes as much as the flight itself.
+    if (!body.phase.clear_of.empty() && hasLeftAll(body.phase, begin)) {
+        std::vector<KeptClear>().swap(body.phase.clear_of);
+    }
     body.plan = nextEvent(around, body, begin, ahead);
     if (body.plan.time < from) {
         // What has come since was not there then.
@@ -210,18 +213,22 @@ void planAhead(const Surroundings& around, BodySlot& body, double from) {
     body.plan.version = around.version;
 }
 
-void carryOut(const Plan& plan, const BodySlot& body, Moment moment) {
+void carryOutMeeting(const Met& met, const BodySlot& body, Moment& moment) {
+    if (body.phase.is<Flight>()) {
+        moment.touch(met);
+    } else if (body.phase.is<Slide>()) {
+        moment.touchInSlide(met);
+    } else if (body.phase.is<Impact>()) {
+        moment.queue(met);
+    } else {
+        moment.hitAtRest(met);
+    }
+}
+
+void carryOut(const Plan& plan, const Surroundings& around, const BodySlot& body, Moment moment) {
     switch (plan.kind) {
     case Plan::Kind::Meet:
-        if (body.phase.is<Flight>()) {
-            moment.touch(*plan.met);
-        } else if (body.phase.is<Slide>()) {
-            moment.touchInSlide(*plan.met);
-        } else if (body.phase.is<Impact>()) {
-            moment.queue(*plan.met);
-        } else {
-            moment.hitAtRest(*plan.met);
-        }
+        carryOutMeeting(metOf(plan, around), body, moment);
         break;
     case Plan::Kind::FlyOn:
         moment.flyOn();
@@ -243,6 +250,21 @@ void carryOut(const Plan& plan, const BodySlot& body, Moment moment) {
 
 } // namespace
 
+void Plan::meet(const Met& met) {
+    kind = Kind::Meet;
+    time = met.time;
+    obstacle = static_cast<std::uint32_t>(met.obstacle);
+    on_solid = met.surface.solid != nullptr;
+    point = met.surface.point;
+    normal = met.surface.normal;
+}
+
+Met metOf(const Plan& plan, const Surroundings& around) {
+    const ObstacleSlot& obstacle = around.obstacles[plan.obstacle];
+    return {
+        plan.time, plan.obstacle, {obstacle.frame, plan.point, plan.normal, plan.on_solid ? obstacle.shape : nullptr}};
+}
+
 double advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {
     double t = from;
     int at_once = 0;
@@ -260,7 +282,7 @@ double advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double
         ++events;
         at_once = plan.time > t ? 0 : at_once + 1;
         t = std::max(t, plan.time);
-        carryOut(plan, body, Moment(around, body, id, t, out));
+        carryOut(plan, around, body, Moment(around, body, id, t, out));
     }
     Moment(around, body, id, t, out).settle();
     return to;

@@ -51,7 +51,14 @@ struct Plan {
     double window = 0.0; ///< the phase's time is looked at in windows of kAhead: which of them
     std::uint32_t version = 0; ///< of the surroundings
     Kind kind = Kind::Meet;
-    std::shared_ptr<const Met> met; ///< of Meet
+    /// Of Meet: what the obstacle does not know itself of the surface that is met.
+    bool on_solid = false; ///< the surface has the obstacle's solid below it
+    std::uint32_t obstacle = 0; ///< slot
+    Vec3 point{0.0}, normal{0.0, 1.0, 0.0}; ///< in the obstacle's frame
+
+    [[nodiscard]] bool meets() const { return kind == Kind::Meet && time < std::numeric_limits<double>::infinity(); }
+    /// What has been found to be met, in the obstacle's own frame, comes next.
+    void meet(const Met& met);
 };
 
 struct BodySlot {
@@ -100,6 +107,9 @@ struct Surroundings {
     /// Slots of the obstacles that a body may touch or come near to within [from, to], ascending: those near its way.
     void near(const Phase& phase, const Shape& shape, double from, double to, std::vector<std::size_t>& found) const;
 };
+
+/// What the plan, made in these surroundings, meets.
+[[nodiscard]] Met metOf(const Plan& plan, const Surroundings& around);
 
 /// What the motion of bodies leaves behind.
 struct Happenings {

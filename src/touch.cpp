@@ -92,8 +92,8 @@ bool Approach::staysFar(double from, double to) const {
     if (surface.frame.angular_velocity != Vec3(0.0)) {
         return false;
     }
-    const double longest = std::max(flight.max_stretch, flight.ease.stretch);
-    const double flattest = std::min(1.0, flight.ease.stretch);
+    const double longest = std::max(flight.max_stretch, flight.ease->stretch);
+    const double flattest = std::min(1.0, flight.ease->stretch);
     const double widest = shape.boundingRadius() * std::max(longest, 1.0 / std::sqrt(flattest));
     const bool pushed = !phase.clear_of.empty() && from < phase.free_from;
     const double reach = widest * (pushed ? 1.0 + kPushReach * pushGain(phase, from) : 1.0);
@@ -299,6 +299,12 @@ double freeFrom(const Phase& flight, const Shape& shape) {
         free_from = std::max(free_from, free);
     }
     return free_from;
+}
+
+bool hasLeftAll(const Phase& phase, double t) {
+    return phase.is<Flight>() && t >= phase.free_from &&
+           std::all_of(phase.clear_of.begin(), phase.clear_of.end(),
+                       [t](const KeptClear& kept) { return kept.until < t; });
 }
 
 namespace {

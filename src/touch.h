@@ -25,6 +25,9 @@ inline constexpr double kNoGivingUp = std::numeric_limits<double>::infinity();
 /// later than need be.
 [[nodiscard]] double freeFrom(const Phase& flight, const Shape& shape);
 
+/// That the phase is a flight that at t, and from then on, moves and meets as if it were kept clear of nothing.
+[[nodiscard]] bool hasLeftAll(const Phase& phase, double t);
+
 /// At this share of the body's length from a solid the body counts as touching it.
 inline constexpr double kSolidTouchGap = 1e-8;
 

@@ -3,6 +3,7 @@
 #include "impact.h"
 #include "push.h"
 #include "rotation.h"
+#include "touch.h"
 #include "world_impl.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ void World::Impl::letGo(BodyId id, ObstacleId obstacle) {
     BodySlot& body = *find(id);
     const bool held = body.phase.obstacle == obstacle && !body.phase.is<Flight>();
     const auto isOfIt = [&](const KeptClear& kept) { return kept.obstacle == obstacle; };
-    const bool near = std::any_of(body.phase.clear_of.begin(), body.phase.clear_of.end(), isOfIt);
+    const bool near =
+        !hasLeftAll(body.phase, time) && std::any_of(body.phase.clear_of.begin(), body.phase.clear_of.end(), isOfIt);
     if (held) {
         std::vector<Left> lefts = now(id).held();
         std::erase_if(lefts, [&](const Left& left) { return left.obstacle == obstacle; });
@@ -138,6 +140,9 @@ Status World::setGravity(const Vec3& gravity) {
 /// The obstacle goes on otherwise: so does what is on it.
 void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& frame) {
     BodySlot& body = *find(id);
+    if (hasLeftAll(body.phase, time)) {
+        return;
+    }
     Phase phase = body.phase;
     bool concerns = false;
     for (KeptClear& kept : phase.clear_of) {

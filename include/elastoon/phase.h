@@ -63,12 +63,33 @@ enum class AxisRule : std::uint8_t {
     Fixed, ///< nothing turns it: no speed and no gravity
 };
 
+/// A value that is T{} nearly everywhere, and takes no room there.
+template <class T>
+class Seldom {
+public:
+    Seldom() = default;
+    Seldom(const T& value) : value_(value == T{} ? nullptr : std::make_unique<T>(value)) {}
+    Seldom(const Seldom& other) : Seldom(*other) {}
+    Seldom(Seldom&&) noexcept = default;
+    Seldom& operator=(const Seldom& other) { return *this = Seldom(other); }
+    Seldom& operator=(Seldom&&) noexcept = default;
+    ~Seldom() = default;
+
+    const T& operator*() const { return value_ ? *value_ : kUsual; }
+    const T* operator->() const { return &**this; }
+
+private:
+    static inline const T kUsual{};
+    std::unique_ptr<T> value_;
+};
+
 /// A form that a phase begins with and that is not the one of its velocity: it fades within `span`, smoothly.
 struct Ease {
     double span = 0.0; ///< s; 0: nothing to fade
     Vec3 axis{0.0, 0.0, 1.0}; ///< unit, world
     double angle = 0.0; ///< turn besides the velocity's, at the start, rad
     double stretch = 1.0; ///< at the start
+    bool operator==(const Ease&) const = default;
 };
 
 /// Free flight under constant gravity; the stretch and the axis follow the velocity.
@@ -85,7 +106,7 @@ struct Flight {
     double max_stretch = 1.0, stretch_rate = 0.0;
     AxisRule rule = AxisRule::Velocity;
     Vec3 up{0.0, 1.0, 0.0}; ///< against gravity
-    Ease ease;
+    Seldom<Ease> ease;
 };
 
 /// Squash and stretch against a surface, turning about the contact. Lives in the frame of the surface.
@@ -165,7 +186,7 @@ struct Phase {
     std::vector<KeptClear> clear_of;
     /// From here on a flight needs no move to be clear of `clear_of`: its pose is its own.
     double free_from = std::numeric_limits<double>::infinity();
-    std::variant<Flight, Boxed<Impact>, Rest, Boxed<Slide>> motion;
+    std::variant<Flight, Boxed<Impact>, Boxed<Rest>, Boxed<Slide>> motion;
 
     /// Flight, Impact, Rest or Slide: whether it is one, as one (null if it is not), and as the one that it is.
     template <class T>
@@ -174,7 +195,7 @@ struct Phase {
     }
     template <class T>
     [[nodiscard]] const T* as() const {
-        if constexpr (std::is_same_v<T, Flight> || std::is_same_v<T, Rest>) {
+        if constexpr (std::is_same_v<T, Flight>) {
             return std::get_if<T>(&motion);
         } else {
             const auto* boxed = std::get_if<Boxed<T>>(&motion);
