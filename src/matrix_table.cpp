@@ -233,13 +233,16 @@ void MatrixTable::forPosed(std::size_t index, double t, What&& what) const {
     }
 }
 
-void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<BodySlot>& bodies) {
+void MatrixTable::writePosed(std::size_t index, double t, const std::vector<BodySlot>& bodies) {
     forPosed(index + 4, t, [&](std::size_t slot) { prefetchSlot(bodies[slot]); });
     forPosed(index + 2, t, [&](std::size_t slot) { prefetchRest(bodies[slot]); });
     forPosed(index, t, [&](std::size_t slot) { writePose(slot, bodies[slot], t); });
+}
+
+void MatrixTable::writeLanes(std::size_t index, double t, std::size_t bodies) {
     const Block& block = blocks_[index];
     const std::size_t first = index * kLanes;
-    const std::size_t count = std::min(kLanes, bodies.size() - first);
+    const std::size_t count = std::min(kLanes, bodies - first);
     std::array<bool, kLanes> by_lane{};
     std::size_t flights = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -266,9 +269,17 @@ void MatrixTable::writeBlock(std::size_t index, double t, const std::vector<Body
 std::span<const float> MatrixTable::at(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity,
                                        const ParallelFor& parallel_for) {
     takeChanges(t, bodies, gravity);
+    // Batches of one kind: what poses are worked out with stays in the nearest cache, and the matrices in the next.
+    constexpr std::size_t kBatch = 64;
     const auto writeBlocks = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            writeBlock(i, t, bodies);
+        for (std::size_t first = begin; first < end; first += kBatch) {
+            const std::size_t last = std::min(end, first + kBatch);
+            for (std::size_t i = first; i < last; ++i) {
+                writePosed(i, t, bodies);
+            }
+            for (std::size_t i = first; i < last; ++i) {
+                writeLanes(i, t, bodies.size());
+            }
         }
     };
     if (parallel_for) {

@@ -50,7 +50,8 @@ private:
     void takeChanges(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity);
     template <class What>
     void forPosed(std::size_t index, double t, What&& what) const;
-    void writeBlock(std::size_t index, double t, const std::vector<BodySlot>& bodies);
+    void writePosed(std::size_t index, double t, const std::vector<BodySlot>& bodies);
+    void writeLanes(std::size_t index, double t, std::size_t bodies);
     void writePose(std::size_t slot, const BodySlot& body, double t);
 
     bool in_use_ = false;
