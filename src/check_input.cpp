@@ -3,10 +3,8 @@
 
 #include "path.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstdlib>
+#include <cstdio>
 
 namespace elastoon {
 
@@ -22,44 +20,10 @@ std::optional<Error> checkRotation(const Quat& q, const char* what) {
 
 } // namespace
 
-// Not by printf, which would be a twentieth of the WebAssembly module.
 std::string shortNumber(double value) {
-    const std::string sign = std::signbit(value) ? "-" : "";
-    if (std::isnan(value)) {
-        return "nan";
-    }
-    if (std::isinf(value) || value == 0.0) {
-        return sign + (value == 0.0 ? "0" : "inf");
-    }
-    constexpr int kDigits = 6;
-    constexpr double kLeast = 1e5;
-    double scaled = std::fabs(value);
-    int exponent = kDigits - 1;
-    for (; scaled >= 10.0 * kLeast; ++exponent) {
-        scaled /= 10.0;
-    }
-    for (; scaled < kLeast; --exponent) {
-        scaled *= 10.0;
-    }
-    auto rounded = static_cast<std::int64_t>(std::floor(scaled + 0.5));
-    if (rounded >= static_cast<std::int64_t>(10.0 * kLeast)) {
-        rounded /= 10;
-        ++exponent;
-    }
-    std::string digits = std::to_string(rounded);
-    const bool plain = exponent >= -4 && exponent < kDigits;
-    const int point = plain ? exponent + 1 : 1; // so many digits stand before it
-    if (point <= 0) {
-        digits.insert(0, static_cast<std::size_t>(1 - point), '0');
-    }
-    digits.insert(static_cast<std::size_t>(std::max(point, 1)), ".");
-    digits.erase(digits.find_last_not_of('0') + 1);
-    if (digits.back() == '.') {
-        digits.pop_back();
-    }
-    const int size = std::abs(exponent);
-    return sign + digits +
-           (plain ? "" : (exponent < 0 ? "e-" : "e+") + std::string(size < 10 ? "0" : "") + std::to_string(size));
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
 }
 
 std::optional<Error> checkVector(const Vec3& value, double most, const char* what) {

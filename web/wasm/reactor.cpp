@@ -9,7 +9,7 @@ extern "C" int __cxa_thread_atexit(void (*)(void*), void*, void*) {
     return 0;
 }
 
-// The library's last words would need all of printf; a trap says as much to a page.
+// The standard library's last words; a trap says as much to a page.
 extern "C" [[noreturn]] void abort_message(const char* format, ...);
 extern "C" [[noreturn]] void abort_message(const char*, ...) {
     __builtin_trap();
