@@ -4,11 +4,32 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 passed=build/lint
 mkdir -p "$passed"
-# A file is linted again when it, any header, or the checks change.
-shared=$(git ls-files -z '*.h' .clang-tidy CMakeLists.txt | xargs -0 sha256sum | sha256sum | cut -c1-16)
+# A file is linted again when it, a header that it reads, or the checks change: ninja knows who reads what.
+root=$(pwd)
+declare -A read_by sum_of
+for build in bench clang; do
+  while read -r source dependency; do
+    read_by[$source]+=" $dependency"
+  done < <(ninja -C "build/$build" -t deps | awk -v root="$root/" '
+    /^[^ ]/ { source = "" }
+    /^ / && index($1, root) == 1 {
+      path = substr($1, length(root) + 1)
+      if (path ~ /^build\//) next
+      if (source == "") source = path
+      print source, path
+    }')
+done
+while read -r sum file; do
+  sum_of[$file]=$sum
+done < <(git ls-files '*.h' '*.cpp' | xargs sha256sum)
+checks=$(cat .clang-tidy CMakeLists.txt | sha256sum)
 todo=()
 while IFS= read -r file; do
-  stamp=$passed/$(printf '%s %s' "$shared" "$(sha256sum "$file")" | sha256sum | cut -c1-32)
+  sums=$checks
+  for dependency in ${read_by[$file]:-$file}; do
+    sums+=${sum_of[$dependency]:-}
+  done
+  stamp=$passed/$(printf '%s %s' "$file" "$sums" | sha256sum | cut -c1-32)
   [ -e "$stamp" ] || todo+=("$file" "$stamp")
 done < <(git ls-files 'src/*.cpp' 'apps/*.cpp' 'tests/*.cpp' 'bench/*.cpp')
 echo "lint: $((${#todo[@]} / 2)) files"

@@ -244,7 +244,7 @@ double Lookout::ownWay(const Look& a, const Look& b, double along_normal) const 
         return bounds_.speed * span;
     }
     const MovingFrame& frame = impact_->surface.frame;
-    const double arm = glm::length(impact_->surface.point) + 3.0 * reach_;
+    const double arm = glm::length(impact_->surface.point) + (phase_.clear_of.empty() ? 3.0 : 6.0) * reach_;
     const double carried = glm::length(frame.velocity) + glm::length(frame.angular_velocity) * arm;
     const double turn = impact_->turn_angle * std::fabs(b.share - a.share) / (1.0 - impact_->turn_from);
     const double about = wayAboutContact(turn, a.pose.stretch, b.pose.stretch);

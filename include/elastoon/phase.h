@@ -183,7 +183,7 @@ struct Phase {
     double end =
         std::numeric_limits<double>::infinity(); ///< its own end, as far as it is known; an event may come before
     ObstacleId obstacle; ///< that an impact, rest or slide is against, or that a flight has just left
-    std::vector<KeptClear> clear_of;
+    std::vector<KeptClear> clear_of; ///< a flight gives them up some time after it has left them all
     /// From here on a flight needs no move to be clear of `clear_of`: its pose is its own.
     double free_from = std::numeric_limits<double>::infinity();
     std::variant<Flight, Boxed<Impact>, Boxed<Rest>, Boxed<Slide>> motion;
