@@ -102,6 +102,7 @@ bool isBeyond(const Watched& watched, const Drum& drum, double gap, double t) {
     }
     return false;
 }
+
 /// That nothing within `reach` of the solid that an impact is on comes near to it.
 bool isBeyondSolid(const Watched& watched, const Surface& surface, double reach, double t) {
     const Vec3 apart = surface.frame.originAt(t) - watched.frame.originAt(t);
@@ -120,9 +121,12 @@ bool staysAway(const Phase& phase, const Watched& watched, double reach, double 
     if (watched.frame.moves() || !drum) {
         return false;
     }
+    if (isBeyond(watched, *drum, gap, from)) {
+        return true;
+    }
+    // It touches the solid, unless it is pushed off something else.
     const Surface& surface = phase.get<Impact>().surface;
-    return isBeyond(watched, *drum, gap, from) ||
-           (surface.solid && isBeyondSolid(watched, surface, 2.01 * reach + gap, from));
+    return surface.solid && phase.clear_of.empty() && isBeyondSolid(watched, surface, 2.01 * reach + gap, from);
 }
 
 /// A moment that has been looked at, and where in `gaps_` it is kept how far each of those that are watched was.
