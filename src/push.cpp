@@ -6,6 +6,7 @@
 #include "flight.h"
 #include "impact.h"
 #include "line_contact.h"
+#include "squeeze.h"
 
 #include <algorithm>
 #include <array>
@@ -23,10 +24,6 @@ constexpr double kRounding = 1e-12;
 /// A way along the surface shorter than this (of a unit normal) is none: a wedge under 15 degrees lets nothing out.
 constexpr double kLeastWay = 0.25;
 constexpr std::size_t kMostBarriers = 16;
-/// A body is never squashed or stretched by more than this factor because it has no room.
-constexpr double kMostSqueeze = 20.0;
-/// Nor stretched by more than this between what stands: it need not have gone there.
-constexpr double kMostBetweenStanding = 2.0;
 /// A body is pushed aside by at most this many times its (stretched) radius.
 constexpr double kMostPush = 2.0;
 /// Of looking for a shift that clears all and changes no more.
@@ -312,8 +309,8 @@ bool Mover::solve() {
     return leastGap() >= -kGoodEnough * length;
 }
 
-/// Takes the pose out of all surfaces by moving it. False if that cannot be done; the pose is then somewhere on the
-/// way.
+} // namespace
+
 bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose) {
     const Pose own = pose;
     Mover mover(phase, shape, t, own);
@@ -321,8 +318,6 @@ bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose) {
     pose = mover.pose();
     return clear;
 }
-
-} // namespace
 
 const Surface* surfaceOf(const Phase& phase) {
     if (const auto* impact = phase.as<Impact>()) {
@@ -381,42 +376,6 @@ struct Fit {
     double moved = 0.0; ///< how far from where its own motion puts it, m
 };
 
-/// Flatter or longer, whichever fits sooner; then as near to its own stretch as fits.
-Fit squeezed(const Phase& phase, const Shape& shape, double t, const Pose& unfit) {
-    const auto tryFactor = [&](double factor, Pose& tried) {
-        tried = ownPose(phase, shape, t, factor);
-        return moveClear(phase, shape, t, tried);
-    };
-    constexpr double kRatio = 1.1;
-    const bool closes = surfaceOf(phase)->frame.moves() ||
-                        std::any_of(phase.clear_of.begin(), phase.clear_of.end(),
-                                    [](const KeptClear& kept) { return kept.presses && kept.surface.frame.moves(); });
-    const double longest = closes ? kMostSqueeze : kMostBetweenStanding;
-    Fit best{unfit, false};
-    double fit = 1.0;
-    double misfit = 1.0;
-    for (double ratio = kRatio; ratio < kMostSqueeze && !best.fits; ratio *= kRatio) {
-        for (const double factor : {1.0 / ratio, ratio}) {
-            if (!best.fits && factor <= longest && tryFactor(factor, best.pose)) {
-                best.fits = true;
-                fit = factor;
-                misfit = factor < 1.0 ? factor * kRatio : factor / kRatio;
-            }
-        }
-    }
-    for (int i = 0; best.fits && i < 48 && std::fabs(fit - misfit) > 1e-13 * fit; ++i) {
-        const double middle = 0.5 * (fit + misfit);
-        Pose tried;
-        if (tryFactor(middle, tried)) {
-            fit = middle;
-            best.pose = tried;
-        } else {
-            misfit = middle;
-        }
-    }
-    return best.fits ? best : Fit{unfit, false};
-}
-
 Fit fitted(const Phase& phase, const Shape& shape, double t) {
     const Pose own = ownPose(phase, shape, t);
     Pose pose = own;
@@ -424,7 +383,11 @@ Fit fitted(const Phase& phase, const Shape& shape, double t) {
         return {pose, true, glm::length(pose.position - own.position)};
     }
     // In a corner it stops rather than change its form.
-    return isPressed(phase, t) ? squeezed(phase, shape, t, own) : Fit{pose, false};
+    if (!isPressed(phase, t)) {
+        return {pose, false};
+    }
+    const Squeezed flat = squeezed(phase, shape, t);
+    return {flat.pose, flat.fits};
 }
 
 } // namespace

@@ -23,6 +23,10 @@ struct Barrier {
 /// In an impact or at rest the body still touches the phase's surface.
 [[nodiscard]] Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor = 1.0);
 
+/// Takes the pose out of all surfaces that the phase is kept clear of by moving it. False if that cannot be done; the
+/// pose is then somewhere on the way.
+[[nodiscard]] bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose);
+
 /// The phase's pose, moved (in an impact or at rest: along the surface) out of what it is to be kept clear of; where no
 /// move helps, squashed or stretched until it fits.
 [[nodiscard]] Pose keptClear(const Phase& phase, const Shape& shape, double t);

@@ -113,6 +113,34 @@ TEST(Path, APressFlattensAndLetsGo) {
     EXPECT_EQ(nameOf(world.phase(body)), "rest");
 }
 
+TEST(Path, APressThatLeavesNoRoomEntersTheBodyAsItIs) {
+    World world = worldWithFloor();
+    BodyDef def;
+    def.shape = valueOf(Shape::sphere(0.5));
+    def.style.restitution = 0.0;
+    def.position = {0, 0.6, 0};
+    const BodyId body = valueOf(world.addBody(def));
+    ObstacleDef plate;
+    plate.shape = valueOf(Shape::box({3, 0.2, 3}));
+    plate.position = {0, 3, 0};
+    const ObstacleId press = valueOf(world.addObstacle(plate));
+    for (int i = 0; i < 120; ++i) {
+        world.step(1.0 / 60.0);
+    }
+    ASSERT_EQ(nameOf(world.phase(body)), "rest");
+    ASSERT_TRUE(world.moveObstacle(press, {0, 0.0, 0}, kNoRotation, 1.0).ok());
+    Pose last = world.pose(body);
+    for (int i = 0; i < 480; ++i) {
+        world.step(1.0 / 480.0);
+        const Pose pose = world.pose(body);
+        EXPECT_LT(std::fabs(pose.stretch - last.stretch), 0.02) << "at " << world.time() << " s";
+        EXPECT_LT(glm::length(pose.position - last.position), 0.02) << "at " << world.time() << " s";
+        last = pose;
+    }
+    EXPECT_GT(last.stretch, 0.04);
+    EXPECT_LT(last.stretch, 0.06) << "a twentieth is left of it";
+}
+
 TEST(Path, TeleportsLeaveBodiesBehindAndPutThemOut) {
     World world = worldWithFloor();
     ObstacleDef table;
