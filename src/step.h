@@ -20,7 +20,11 @@ namespace elastoon {
 /// A style that many bodies have: those that are made one after another with the same share it.
 class SharedStyle {
 public:
-    SharedStyle() : SharedStyle(Style{}) {}
+    SharedStyle() {
+        // Not the last one: a slot is made before its style is known.
+        static const auto kUsual = std::make_shared<const Style>();
+        style_ = kUsual;
+    }
     SharedStyle(const Style& style) {
         thread_local std::shared_ptr<const Style> last;
         if (!last || !(*last == style)) {

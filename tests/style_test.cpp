@@ -1,11 +1,13 @@
 // The parameter table: it holds every field, with the defaults of the struct.
 #include "elastoon/style.h"
 
+#include "step.h"
 #include "test_support.h"
 
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace elastoon {
 namespace {
@@ -63,6 +65,21 @@ TEST(Style, EveryFieldHasARow) {
                   .corner_rule = CornerRule::Blended};
     EXPECT_EQ(through_table, by_hand);
     EXPECT_NEAR(through_table.rest_slope, 1.5707963267948966, 1e-12);
+}
+
+TEST(Style, BodiesMadeOneAfterAnotherShareOne) {
+    Style style;
+    style.restitution = 0.25;
+    std::vector<BodySlot> slots;
+    for (int i = 0; i < 3; ++i) {
+        slots.emplace_back();
+        slots.back().style = style;
+    }
+    EXPECT_EQ(slots[0].style.operator->(), slots[2].style.operator->());
+    EXPECT_EQ(slots[0].style->restitution, 0.25);
+    slots[1].style = Style{};
+    EXPECT_EQ(slots[1].style->restitution, Style{}.restitution);
+    EXPECT_EQ(slots[2].style->restitution, 0.25);
 }
 
 } // namespace
