@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace elastoon {
 
@@ -26,6 +25,16 @@ double depthIn(const Phase& phase, const Shape& shape, double t, const Pose& pos
     return -least;
 }
 
+constexpr double kRatio = 1.1; ///< of one form's factor to the next one that is tried
+
+/// The body with its own stretch times `factor`, moved clear as far as that goes.
+struct Form {
+    double factor = 1.0;
+    Pose pose;
+    bool fits = false;
+    double depth = 0.0;
+};
+
 /// A body under a press, in the forms that it may take there.
 class Squeeze {
 public:
@@ -36,31 +45,33 @@ public:
                             });
         longest_ = closes ? kMostSqueeze : kMostBetweenStanding;
     }
-    [[nodiscard]] std::optional<Pose> fitting() const;
-    [[nodiscard]] Pose leastDeep() const;
-
-private:
-    static constexpr double kRatio = 1.1;
-    /// Calls what(factor) for flatter and longer forms, by and by, until it says that it is enough.
-    template <class What>
-    void forFactors(What&& what) const {
+    /// Flatter or longer, whichever fits sooner; then as near to its own stretch as fits.
+    [[nodiscard]] Squeezed run() const {
+        Form shallowest = formOf(1.0);
         for (double ratio = kRatio; ratio < kMostSqueeze; ratio *= kRatio) {
             for (const double factor : {1.0 / ratio, ratio}) {
-                if (factor <= longest_ && what(factor)) {
-                    return;
+                if (factor > longest_) {
+                    continue;
                 }
+                const Form form = formOf(factor);
+                if (form.fits) {
+                    return {nearestToOwn(form).pose, true};
+                }
+                shallowest = form.depth < shallowest.depth ? form : shallowest;
             }
         }
+        return {shallowestAbout(shallowest.factor).pose, false};
     }
-    [[nodiscard]] bool tryFactor(double factor, Pose& tried) const {
-        tried = ownPose(phase_, shape_, t_, factor);
-        return moveClear(phase_, shape_, t_, tried);
+
+private:
+    [[nodiscard]] Form formOf(double factor) const {
+        Form form{factor, ownPose(phase_, shape_, t_, factor)};
+        form.fits = moveClear(phase_, shape_, t_, form.pose);
+        form.depth = form.fits ? 0.0 : depthIn(phase_, shape_, t_, form.pose);
+        return form;
     }
-    [[nodiscard]] double depth(double factor) const {
-        Pose tried;
-        (void)tryFactor(factor, tried);
-        return depthIn(phase_, shape_, t_, tried);
-    }
+    [[nodiscard]] Form nearestToOwn(Form fit) const;
+    [[nodiscard]] Form shallowestAbout(double factor) const;
 
     const Phase& phase_;
     const Shape& shape_;
@@ -68,67 +79,44 @@ private:
     double longest_ = 1.0;
 };
 
-/// Flatter or longer, whichever fits sooner; then as near to its own stretch as fits.
-std::optional<Pose> Squeeze::fitting() const {
-    Pose best;
-    double fit = 0.0;
-    forFactors([&](double factor) {
-        fit = tryFactor(factor, best) ? factor : 0.0;
-        return fit > 0.0;
-    });
-    if (fit == 0.0) {
-        return std::nullopt;
-    }
-    double misfit = fit < 1.0 ? fit * kRatio : fit / kRatio;
-    for (int i = 0; i < 48 && std::fabs(fit - misfit) > 1e-13 * fit; ++i) {
-        const double middle = 0.5 * (fit + misfit);
-        Pose tried;
-        if (tryFactor(middle, tried)) {
-            fit = middle;
-            best = tried;
+Form Squeeze::nearestToOwn(Form fit) const {
+    double misfit = fit.factor < 1.0 ? fit.factor * kRatio : fit.factor / kRatio;
+    for (int i = 0; i < 48 && std::fabs(fit.factor - misfit) > 1e-13 * fit.factor; ++i) {
+        const Form form = formOf(0.5 * (fit.factor + misfit));
+        if (form.fits) {
+            fit = form;
         } else {
-            misfit = middle;
+            misfit = form.factor;
         }
     }
-    return best;
+    return fit;
 }
 
-/// Where no form fits: the one that is least deep, so that what closes on it enters it slowly.
-Pose Squeeze::leastDeep() const {
-    double best = 1.0;
-    double least = depth(1.0);
-    forFactors([&](double factor) {
-        const double deep = depth(factor);
-        if (deep < least) {
-            least = deep;
-            best = factor;
-        }
-        return false;
-    });
-    // Golden section.
+/// Where no form fits: the one that is least deep, by golden section, so that what closes on it enters it slowly.
+Form Squeeze::shallowestAbout(double factor) const {
     constexpr double kShare = 0.6180339887498949;
-    double low = best / kRatio;
-    double high = std::min(best * kRatio, std::max(longest_, 1.0));
-    for (int i = 0; i < 64; ++i) {
-        const double lower = high - kShare * (high - low);
-        const double upper = low + kShare * (high - low);
-        if (depth(lower) <= depth(upper)) {
-            high = upper;
+    double low = factor / kRatio;
+    double high = std::min(factor * kRatio, longest_);
+    Form lower = formOf(high - kShare * (high - low));
+    Form upper = formOf(low + kShare * (high - low));
+    for (int i = 0; i < 40; ++i) {
+        if (lower.depth <= upper.depth) {
+            high = upper.factor;
+            upper = lower;
+            lower = formOf(high - kShare * (high - low));
         } else {
-            low = lower;
+            low = lower.factor;
+            lower = upper;
+            upper = formOf(low + kShare * (high - low));
         }
     }
-    Pose pose;
-    (void)tryFactor(0.5 * (low + high), pose);
-    return pose;
+    return lower.depth <= upper.depth ? lower : upper;
 }
 
 } // namespace
 
 Squeezed squeezed(const Phase& phase, const Shape& shape, double t) {
-    const Squeeze squeeze(phase, shape, t);
-    const auto pose = squeeze.fitting();
-    return pose ? Squeezed{*pose, true} : Squeezed{squeeze.leastDeep(), false};
+    return Squeeze(phase, shape, t).run();
 }
 
 } // namespace elastoon

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace elastoon {
 namespace {
@@ -73,7 +74,14 @@ TEST(Path, ALiftCarriesABodyUpAndDownWhateverTheStep) {
     EXPECT_GT(heights[1], 3.9) << "it came up with the lift";
 }
 
-TEST(Path, APressFlattensAndLetsGo) {
+struct UnderAPlate {
+    World world;
+    BodyId body;
+    ObstacleId press;
+};
+
+/// A ball at rest on the floor, and a plate 3 m up.
+UnderAPlate ballUnderAPlate() {
     World world = worldWithFloor();
     BodyDef def;
     def.shape = valueOf(Shape::sphere(0.5));
@@ -87,6 +95,11 @@ TEST(Path, APressFlattensAndLetsGo) {
     for (int i = 0; i < 240; ++i) {
         world.step(1.0 / 60.0);
     }
+    return {std::move(world), body, press};
+}
+
+TEST(Path, APressFlattensAndLetsGo) {
+    auto [world, body, press] = ballUnderAPlate();
     ASSERT_EQ(nameOf(world.phase(body)), "rest");
     ASSERT_TRUE(world.moveObstacle(press, {0, 0.5, 0}, kNoRotation, 1.0).ok());
     int squeezes = 0;
@@ -97,7 +110,7 @@ TEST(Path, APressFlattensAndLetsGo) {
                                                    [](const Event& e) { return e.type == EventType::Squeeze; }));
         const Pose pose = world.pose(body);
         flattest = std::min(flattest, pose.stretch);
-        EXPECT_GT(lowestPoint(*def.shape, pose), -1e-9);
+        EXPECT_GT(lowestPoint(*world.shape(body), pose), -1e-9);
     }
     EXPECT_EQ(squeezes, 1);
     EXPECT_NEAR(flattest, 0.4, 1e-6) << "what is left between floor and plate";
@@ -114,19 +127,7 @@ TEST(Path, APressFlattensAndLetsGo) {
 }
 
 TEST(Path, APressThatLeavesNoRoomEntersTheBodyAsItIs) {
-    World world = worldWithFloor();
-    BodyDef def;
-    def.shape = valueOf(Shape::sphere(0.5));
-    def.style.restitution = 0.0;
-    def.position = {0, 0.6, 0};
-    const BodyId body = valueOf(world.addBody(def));
-    ObstacleDef plate;
-    plate.shape = valueOf(Shape::box({3, 0.2, 3}));
-    plate.position = {0, 3, 0};
-    const ObstacleId press = valueOf(world.addObstacle(plate));
-    for (int i = 0; i < 120; ++i) {
-        world.step(1.0 / 60.0);
-    }
+    auto [world, body, press] = ballUnderAPlate();
     ASSERT_EQ(nameOf(world.phase(body)), "rest");
     ASSERT_TRUE(world.moveObstacle(press, {0, 0.0, 0}, kNoRotation, 1.0).ok());
     Pose last = world.pose(body);
