@@ -13,16 +13,12 @@ namespace elastoon {
 
 namespace {
 
-/// A direction in the plane of the parabola, by its parts up and across.
-struct Heading {
-    double up, across;
-};
-
 double climbOf(const Flight& flight, double elapsed) {
     return flight.climb - flight.pull * elapsed;
 }
 
-/// Direction of the axis as the rule lays it. Reversal: (v_z^2 + e^2) u + v_z v_h h.
+} // namespace
+
 Heading headingAt(const Flight& flight, double elapsed) {
     const double climb = climbOf(flight, elapsed);
     const double across = flight.speed_across;
@@ -32,6 +28,8 @@ Heading headingAt(const Flight& flight, double elapsed) {
     const double length = std::sqrt(raw.up * raw.up + raw.across * raw.across);
     return length > 0.0 ? Heading{raw.up / length, raw.across / length} : Heading{1.0, 0.0};
 }
+
+namespace {
 
 Vec3 worldOf(const Flight& flight, const Heading& heading) {
     return flight.up * heading.up + glm::cross(flight.turn_axis, flight.up) * heading.across;

@@ -24,6 +24,13 @@ void applyEase(const Ease& ease, double elapsed, Pose& pose);
 /// Lets the flight begin in this pose (as to turn and stretch) and come to its own within `span` s.
 void easeFrom(Flight& flight, const Pose& pose, double span);
 
+/// A direction in the plane of the parabola, by its parts up and across.
+struct Heading {
+    double up, across;
+};
+/// Direction of the axis as the rule lays it, unit. Reversal: (v_z^2 + e^2) u + v_z v_h h.
+[[nodiscard]] Heading headingAt(const Flight& flight, double elapsed);
+
 [[nodiscard]] Vec3 flightVelocity(const Flight& flight, double elapsed);
 /// Direction in which the leading end points (world, unit); with AxisRule::Fixed, the +x end.
 [[nodiscard]] Vec3 leadingAxis(const Flight& flight, double elapsed);

@@ -2,6 +2,8 @@
 // touched. docs/performance.md.
 #pragma once
 
+#include "flight_lanes.h"
+#include "impact_lanes.h"
 #include "step.h"
 
 #include <array>
@@ -11,18 +13,9 @@
 
 namespace elastoon {
 
-/// What the poses of flights that need no push and have no ease are made from, a lane for each body.
-struct FlightLanes {
-    static constexpr std::size_t kCount = 16;
-    using Row = std::array<double, kCount>;
-    Row start, climb, across, reversal_speed, stretch_rate, max_stretch;
-    std::array<Row, 3> position, velocity, axis;
-    std::array<Row, 4> orientation; ///< w, x, y, z
-};
-
 class MatrixTable {
 public:
-    static constexpr std::size_t kFloats = 12;
+    static constexpr std::size_t kFloats = kMatrixFloats;
 
     /// From the first use on, changes must be told.
     [[nodiscard]] bool inUse() const { return in_use_; }
@@ -35,23 +28,31 @@ public:
                               const ParallelFor& parallel_for);
 
 private:
-    enum class Kind : std::uint8_t {
-        Written, ///< it stays as it is
-        Lane, ///< a flight, from `posed_until` on
-        Posed, ///< by poseAt()
-    };
+    /// Of a block's bodies, a bit for each.
+    using Some = std::uint32_t;
     struct Block {
         FlightLanes lanes{};
-        std::array<double, FlightLanes::kCount> posed_until{}; ///< before it, by poseAt()
+        std::array<double, kLanes> posed_until{}; ///< before it, by poseAt()
         double any_posed_until = 0.0; ///< the latest of them
-        std::array<Kind, FlightLanes::kCount> kinds{};
+        Some flights = 0; ///< in lanes, from `posed_until` on
+        Some written = 0; ///< their matrices stay as they are
     };
+    struct ImpactBlock {
+        ImpactLanes lanes;
+        Some used = 0;
+    };
+    /// So many blocks have their impacts together.
+    static constexpr std::size_t kGroup = 16;
+
     void take(std::size_t slot, const BodySlot& body, double t);
+    void takeImpact(std::size_t slot, const BodySlot& body);
+    void leaveImpact(std::size_t slot);
     void takeChanges(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity);
-    template <class What>
-    void forPosed(std::size_t index, double t, What&& what) const;
+    /// Those whose pose is asked for, one by one.
+    [[nodiscard]] Some posed(std::size_t index, double t) const;
     void writePosed(std::size_t index, double t, const std::vector<BodySlot>& bodies);
-    void writeLanes(std::size_t index, double t, std::size_t bodies);
+    void writeFlights(std::size_t index, double t);
+    void writeImpacts(std::size_t group, double t);
     void writePose(std::size_t slot, const BodySlot& body, double t);
 
     bool in_use_ = false;
@@ -59,7 +60,9 @@ private:
     Vec3 gravity_{0.0}; ///< that of the flights in lanes
     std::vector<std::uint32_t> changed_;
     std::vector<Block> blocks_;
-    std::vector<float> matrices_;
+    std::vector<std::vector<ImpactBlock>> impacts_; ///< by group
+    std::vector<std::uint32_t> impact_lanes_; ///< by slot: which of the group's, from 1 on; 0: none
+    std::vector<float> matrices_; ///< of whole blocks
 };
 
 } // namespace elastoon

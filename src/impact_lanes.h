@@ -1,0 +1,31 @@
+// Impacts on planes that stand still, side by side. See lanes.h.
+#pragma once
+
+#include "elastoon/phase.h"
+#include "lanes.h"
+
+#include <array>
+#include <cstdint>
+
+namespace elastoon {
+
+/// What the poses of impacts that are kept clear of nothing are made from.
+struct ImpactLanes {
+    std::array<const Shape*, kLanes> shapes{}; ///< null: nobody's
+    std::array<std::uint32_t, kLanes> slots{}; ///< whose they are
+    Row begun{}, s_in{}, s_mid{}, s_out{}, omega_in{}, omega_out{}, t_in{}, t_out{};
+    Row turn_angle{}, turn_from{}, smooth{}; ///< smooth: 1, else 0
+    std::array<Row, 3> point{}, normal{}, contact{}, turn_axis{}, skims{};
+    std::array<Row, 4> orientation{}; ///< w, x, y, z
+    std::array<Row, 3> origin{}; ///< of the plane's frame; likewise
+    std::array<Row, 4> frame{};
+
+    /// Whether poses of this phase can be worked out here.
+    [[nodiscard]] static bool take(const Phase& phase);
+    void set(std::size_t lane, std::size_t slot, const Phase& phase, const Shape& shape);
+};
+
+/// What impactPose() and linearOf() do, in the same order.
+void poseImpacts(const ImpactLanes& in, double t, Columns& out);
+
+} // namespace elastoon
