@@ -28,7 +28,9 @@ std::vector<std::uint32_t> highestTogether(const Shape& shape, const Vec3& direc
     if (!topology.closed || !topology.climbable) {
         return {};
     }
-    std::vector<std::uint32_t> found{highest};
+    std::vector<std::uint32_t> found;
+    found.reserve(kMany);
+    found.push_back(highest);
     for (std::size_t i = 0; i < found.size(); ++i) {
         for (const std::uint32_t next : topology.neighborsOf(found[i])) {
             if (glm::dot(direction, shape.vertices()[next]) >= least &&
@@ -51,6 +53,7 @@ std::vector<Vec3> supportRegion(const Shape& shape, const Pose& pose, const Vec3
     const std::size_t highest = shape.supportVertex(in_shape);
     const double least = glm::dot(in_shape, vertices[highest]) - slack;
     std::vector<Vec3> region;
+    region.reserve(4);
     for (const std::uint32_t i : highestTogether(shape, in_shape, static_cast<std::uint32_t>(highest), least)) {
         region.push_back(worldFromShape(pose, vertices[i]));
     }

@@ -109,9 +109,12 @@ bool holdTogether(std::span<const Vec3> normals, const Vec3& gravity, const Styl
     constexpr int kRounds = 200;
     std::vector<double> pushes(normals.size(), 0.0);
     Vec3 left = gravity / pull;
-    for (int round = 0; round < kRounds; ++round) {
+    bool changes = true;
+    for (int round = 0; round < kRounds && changes; ++round) {
+        changes = false;
         for (std::size_t i = 0; i < normals.size(); ++i) {
             const double push = std::max(0.0, pushes[i] - glm::dot(left, normals[i]));
+            changes = changes || push != pushes[i];
             left += normals[i] * (push - pushes[i]);
             pushes[i] = push;
         }
@@ -242,11 +245,12 @@ std::optional<Impact> beginImpact(const Touching& touching, const Shape& shape, 
     meeting.relative_velocity = touching.velocity - frame.velocityAt(t, contact);
     meeting.normal_speed = glm::dot(meeting.relative_velocity, meeting.normal);
     meeting.rest_speed = restSpeed(style, shape.length(), glm::length(touching.gravity));
-    std::vector<Vec3> touched = touching.besides;
-    touched.push_back(meeting.normal);
-    meeting.wedged =
-        !canHold(touching.surface, t, touching.gravity, style) && holdTogether(touched, touching.gravity, style);
-    meeting.can_hold = meeting.wedged || canHold(touching.surface, t, touching.gravity, style);
+    meeting.can_hold = canHold(touching.surface, t, touching.gravity, style);
+    if (!meeting.can_hold && !touching.besides.empty()) {
+        std::vector<Vec3> touched = touching.besides;
+        touched.push_back(meeting.normal);
+        meeting.can_hold = meeting.wedged = holdTogether(touched, touching.gravity, style);
+    }
 
     const Vec3 in_frame = frame.frameFromWorld(t, contact);
     const Vec3 way = glm::conjugate(frame.orientationAt(t)) * meeting.relative_velocity;

@@ -76,23 +76,16 @@ private:
     double along_ = 0.0;
     Vec3 base_{0.0};
     double reach_ = 0.0;
-    bool near_ = false; ///< the next direction is near the last one
     std::array<Corner, 3> corners_{};
     Corner last_;
     Vec3 normal_{0.0}; ///< that the last support was taken in
 };
 
-/// While directions still turn far, a climb from the shape's own starts is shorter than one from the last vertex.
-std::uint32_t furthest(const Shape& shape, const Vec3& direction, std::uint32_t last, bool near) {
-    const ClimbStarts& starts = shape.climbStarts();
-    return climb(shape.vertices(), shape.topology(), direction, near || starts.empty() ? last : starts.near(direction));
-}
-
 void Portal::takeSupport(const Vec3& direction, Corner& corner) {
     const Vec3 in_a = direction * a_.linear;
     const Vec3 in_b = -(direction * b_.linear);
-    corner.index_a = furthest(*a_.shape, in_a, last_.index_a, near_);
-    corner.index_b = furthest(*b_.shape, in_b, last_.index_b, near_);
+    corner.index_a = static_cast<std::uint32_t>(supportOf(*a_.shape, in_a));
+    corner.index_b = static_cast<std::uint32_t>(supportOf(*b_.shape, in_b));
     corner.a = a_.linear * a_.shape->vertices()[corner.index_a];
     corner.b = b_.linear * b_.shape->vertices()[corner.index_b];
     corner.at = (corner.a - corner.b) - base_;
@@ -214,7 +207,6 @@ Vec3 Portal::normalOf(bool exactly) const {
 }
 
 Portal::Search Portal::refine() {
-    near_ = true;
     bool exactly = false;
     for (int step = 0; step < kMaxSteps; ++step) {
         normal_ = normalOf(exactly);

@@ -104,14 +104,17 @@ void ObstacleTree::refit(int node) {
 
 ObstacleTree::FloatBox ObstacleTree::outwards(const Box& box) {
     constexpr double kMost = std::numeric_limits<float>::max();
-    constexpr float kFar = std::numeric_limits<float>::infinity();
+    // More than the nearest float is off, also where that is not normal.
+    constexpr double kShare = std::numeric_limits<float>::epsilon();
+    constexpr double kLeast = std::numeric_limits<float>::min();
     FloatBox coarse{};
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        const auto low = static_cast<float>(std::clamp(box.low[axis], -kMost, kMost));
-        const auto high = static_cast<float>(std::clamp(box.high[axis], -kMost, kMost));
-        coarse.low[i] = low > box.low[axis] ? std::nextafter(low, -kFar) : low;
-        coarse.high[i] = high < box.high[axis] ? std::nextafter(high, kFar) : high;
+        const double low = box.low[axis] - (kShare * std::fabs(box.low[axis]) + kLeast);
+        const double high = box.high[axis] + (kShare * std::fabs(box.high[axis]) + kLeast);
+        constexpr float kFar = std::numeric_limits<float>::infinity();
+        coarse.low[i] = low >= -kMost ? static_cast<float>(std::min(low, kMost)) : -kFar;
+        coarse.high[i] = high <= kMost ? static_cast<float>(std::max(high, -kMost)) : kFar;
     }
     return coarse;
 }

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -138,7 +139,9 @@ public:
           own_(own),
           pose_(own),
           primary_(surfaceOf(phase)),
-          normal_(primary_ != nullptr ? primary_->normalAt(t) : Vec3(0.0)) {}
+          normal_(primary_ != nullptr ? primary_->normalAt(t) : Vec3(0.0)),
+          cuts_(emptied<Cut>()),
+          active_(emptied<std::size_t>()) {}
 
     /// False if there is no way, or nothing to stand on there.
     bool run();
@@ -154,6 +157,13 @@ private:
     bool activateNext();
     bool solve();
     bool moveTo(const Vec3& shift);
+    /// A list of its own thread: movers are many, and work one after another.
+    template <class T>
+    static std::vector<T>& emptied() {
+        thread_local std::vector<T> list;
+        list.clear();
+        return list;
+    }
 
     const Phase& phase_;
     const Shape& shape_;
@@ -169,8 +179,8 @@ private:
         Barrier barrier;
         bool keeps = false; ///< true of every shift, not only of those nearby
     };
-    std::vector<Cut> cuts_;
-    std::vector<std::size_t> active_; ///< of what the phase is kept clear of: what has a part in the shift
+    std::vector<Cut>& cuts_;
+    std::vector<std::size_t>& active_; ///< of what the phase is kept clear of: what has a part in the shift
 };
 
 double Mover::leastGap() const {
@@ -212,9 +222,9 @@ std::optional<Vec3> Mover::nextShift() {
             cut(phase_.clear_of[i]);
         }
     }
-    std::array<Barrier, kMostBarriers> barriers;
-    std::transform(cuts_.begin(), cuts_.end(), barriers.begin(), [](const Cut& c) { return c.barrier; });
-    const auto next = leastPush({barriers.data(), cuts_.size()}, std::numeric_limits<double>::infinity());
+    std::vector<Barrier>& barriers = emptied<Barrier>();
+    std::transform(cuts_.begin(), cuts_.end(), std::back_inserter(barriers), [](const Cut& c) { return c.barrier; });
+    const auto next = leastPush(barriers, std::numeric_limits<double>::infinity());
     const double most = mostShift();
     // Where the body only just begins to roll off, the tangent leads too far: from half way it leads back.
     return next && glm::length(*next) > most ? std::optional(*next * (0.5 * most / glm::length(*next))) : next;
@@ -275,7 +285,7 @@ bool Mover::run() {
     const Pose reached = pose_;
     pose_ = own_;
     cuts_.clear();
-    active_ = std::move(all);
+    active_ = all;
     if (!solve()) {
         pose_ = reached;
         return false;

@@ -234,8 +234,8 @@ ShapePtr Shape::fromParts(ShapeParts parts) {
     shape->topology_ =
         std::make_shared<const Topology>(topologyOf(shape->vertices_, shape->face_vertices_, shape->face_begin_));
     const bool climbs = shape->topology_->climbable && shape->vertices_.size() > kFewVertices;
-    shape->climb_starts_ =
-        std::make_shared<const ClimbStarts>(climbs ? ClimbStarts(shape->vertices_, *shape->topology_) : ClimbStarts());
+    shape->support_table_ = std::make_shared<const SupportTable>(
+        climbs ? SupportTable(shape->vertices_, *shape->topology_) : SupportTable());
     return ShapePtr(shape);
 }
 

@@ -181,14 +181,14 @@ std::optional<SlideBegun> beginSlide(const Touching& touching, const Shape& shap
     const double speed = glm::length(tangential);
     const double rest_speed = restSpeed(style, shape.length(), gravity);
     const bool can_hold = canHold(surface, t, touching.gravity, style);
-    std::vector<Vec3> touched = touching.besides;
-    touched.push_back(normal);
-    if (!can_hold && holdTogether(touched, touching.gravity, style)) {
-        return std::nullopt;
-    }
     const bool slow = style.restitution * std::max(0.0, -parting) < rest_speed &&
                       parting <= (can_hold ? rest_speed : 1e-9 * (1.0 + rest_speed));
     if (!slow || (can_hold ? speed <= rest_speed : -glm::dot(normal, touching.gravity) < kSteepest * gravity)) {
+        return std::nullopt;
+    }
+    std::vector<Vec3> touched = touching.besides;
+    touched.push_back(normal);
+    if (!can_hold && holdTogether(touched, touching.gravity, style)) {
         return std::nullopt;
     }
     const Vec3 pull = touching.gravity - normal * glm::dot(touching.gravity, normal);

@@ -303,7 +303,7 @@ void rebuildSurroundings(Surroundings& around, const std::vector<ObstacleSlot>& 
         }
         const bool moves = slot.frame.moves();
         if (slot.isPlane()) {
-            around.planes.push_back(i);
+            around.addPlane(i);
             if (moves) {
                 around.moving_planes.push_back(i);
             }

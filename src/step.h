@@ -95,7 +95,14 @@ struct Surroundings {
     static constexpr double kAhead = 0.5; ///< s, of what bodies look for
     Vec3 gravity{0.0};
     std::vector<ObstacleSlot> obstacles;
-    std::vector<std::size_t> planes; ///< slots, ascending
+    /// A plane as those that are near are told by: whether it stands, and where.
+    struct Plane {
+        std::size_t slot;
+        bool moves;
+        Vec3 normal; ///< world
+        double offset; ///< of the plane along its normal, m
+    };
+    std::vector<Plane> planes; ///< by slots, ascending
     std::vector<std::size_t> moving_planes; ///< slots, ascending
     std::vector<std::size_t> moving_solids; ///< slots, ascending
     std::vector<std::size_t> on_paths; ///< slots, ascending
@@ -106,6 +113,8 @@ struct Surroundings {
     /// To be called when an obstacle has come, goes, or moves otherwise; at time t.
     void include(std::size_t slot, double t);
     void exclude(std::size_t slot);
+    /// The plane in this slot, after those before it.
+    void addPlane(std::size_t slot);
     /// Grows the boxes of moving solids to where they will be within [from, to + kAhead].
     void prepareStep(double from, double to);
     /// Slots of the obstacles that a body may touch or come near to within [from, to], ascending: those near its way.

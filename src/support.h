@@ -1,17 +1,17 @@
-// The vertex of a shape that lies furthest in a direction: by looking at all of few, by climbing among many.
+// The vertex of a shape that lies furthest in a direction: by looking at all of few, by a table of many.
 #pragma once
 
 #include "elastoon/shape.h"
-#include "topology.h"
+#include "support_table.h"
 
 namespace elastoon {
 
 /// Shape::supportVertex, for loops that cannot afford the call.
 [[nodiscard]] inline std::size_t supportOf(const Shape& shape, const Vec3& direction) {
     const auto vertices = shape.vertices();
-    const ClimbStarts& starts = shape.climbStarts();
-    if (!starts.empty()) {
-        return climb(vertices, shape.topology(), direction, starts.near(direction));
+    const SupportTable& table = shape.supportTable();
+    if (!table.empty()) {
+        return table.furthest(vertices, shape.topology(), direction);
     }
     std::size_t best = 0;
     double furthest = glm::dot(direction, vertices[0]);

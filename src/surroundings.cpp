@@ -22,7 +22,7 @@ void Surroundings::include(std::size_t slot, double t) {
         insertSorted(on_paths, slot);
     }
     if (obstacle.isPlane()) {
-        insertSorted(planes, slot);
+        addPlane(slot);
         if (obstacle.frame.moves()) {
             insertSorted(moving_planes, slot);
         }
@@ -34,9 +34,16 @@ void Surroundings::include(std::size_t slot, double t) {
     }
 }
 
+void Surroundings::addPlane(std::size_t slot) {
+    const ObstacleSlot& obstacle = obstacles[slot];
+    const Vec3 normal = obstacle.frame.orientation * obstacle.normal;
+    const auto after = std::find_if(planes.begin(), planes.end(), [slot](const Plane& p) { return p.slot > slot; });
+    planes.insert(after, {slot, obstacle.frame.moves(), normal, glm::dot(normal, obstacle.frame.origin)});
+}
+
 void Surroundings::exclude(std::size_t slot) {
     ++version;
-    std::erase(planes, slot);
+    std::erase_if(planes, [slot](const Plane& plane) { return plane.slot == slot; });
     std::erase(moving_planes, slot);
     std::erase(moving_solids, slot);
     std::erase(on_paths, slot);
@@ -49,18 +56,6 @@ void Surroundings::prepareStep(double from, double to) {
     }
 }
 
-namespace {
-
-/// Whether anything of the box is below the plane, which stands.
-bool reaches(const Box& box, const ObstacleSlot& plane) {
-    const Vec3 normal = plane.frame.orientation * plane.normal;
-    const Vec3 lowest(normal.x > 0.0 ? box.low.x : box.high.x, normal.y > 0.0 ? box.low.y : box.high.y,
-                      normal.z > 0.0 ? box.low.z : box.high.z);
-    return glm::dot(normal, lowest - plane.frame.origin) <= 0.0;
-}
-
-} // namespace
-
 void Surroundings::near(const Phase& phase, const Shape& shape, double from, double to,
                         std::vector<std::size_t>& found) const {
     found.clear();
@@ -71,13 +66,14 @@ void Surroundings::near(const Phase& phase, const Shape& shape, double from, dou
     if (solids.size() > 0) {
         solids.meeting(box, found);
     }
-    const auto middle = static_cast<std::ptrdiff_t>(found.size());
-    for (const std::size_t slot : planes) {
-        if (obstacles[slot].frame.moves() || reaches(box, obstacles[slot])) {
-            found.push_back(slot);
+    const Vec3 middle = 0.5 * (box.low + box.high);
+    const Vec3 half = 0.5 * (box.high - box.low);
+    for (const Plane& plane : planes) {
+        const bool reached = glm::dot(plane.normal, middle) - plane.offset <= glm::dot(glm::abs(plane.normal), half);
+        if (reached || plane.moves) {
+            insertSorted(found, plane.slot);
         }
     }
-    std::inplace_merge(found.begin(), found.begin() + middle, found.end());
 }
 
 } // namespace elastoon

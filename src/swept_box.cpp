@@ -31,6 +31,9 @@ Box parabolaBox(const Flight& flight, double from, double to) {
     };
     Box box = unionOf({at(from), at(from)}, {at(to), at(to)});
     for (int axis = 0; axis < 3; ++axis) {
+        if (flight.gravity[axis] == 0.0) {
+            continue;
+        }
         const double turn = -flight.velocity[axis] / flight.gravity[axis];
         if (turn > from && turn < to) {
             const double extreme = at(turn)[axis];

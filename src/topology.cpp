@@ -132,27 +132,4 @@ Topology topologyOf(std::span<const Vec3> vertices, std::span<const std::uint32_
     return topology;
 }
 
-ClimbStarts::ClimbStarts(std::span<const Vec3> vertices, const Topology& topology) {
-    // Four cells a vertex: from the vertex of its middle the climb seldom takes a step.
-    while (6 * cells_ * cells_ < 4 * vertices.size()) {
-        ++cells_;
-    }
-    const double side = 2.0 / static_cast<double>(cells_);
-    starts_.reserve(6 * cells_ * cells_);
-    std::uint32_t start = 0;
-    for (int face = 0; face < 6; ++face) {
-        const int axis = face / 2;
-        for (std::size_t i = 0; i < cells_; ++i) {
-            for (std::size_t j = 0; j < cells_; ++j) {
-                Vec3 direction(0.0);
-                direction[axis] = face % 2 == 0 ? 1.0 : -1.0;
-                direction[(axis + 1) % 3] = (static_cast<double>(i) + 0.5) * side - 1.0;
-                direction[(axis + 2) % 3] = (static_cast<double>(j) + 0.5) * side - 1.0;
-                start = climb(vertices, topology, direction, start);
-                starts_.push_back(start);
-            }
-        }
-    }
-}
-
 } // namespace elastoon

@@ -3,8 +3,6 @@
 
 #include "elastoon/math.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -61,24 +59,6 @@ struct Topology {
 [[nodiscard]] std::uint32_t climb(std::span<const Vec3> vertices, const Topology& topology, const Vec3& direction,
                                   std::uint32_t start);
 
-/// Where to start a climb without memory: a vertex that is furthest in about that direction, by the cell of a cube that
-/// the direction points to.
-class ClimbStarts {
-public:
-    ClimbStarts() = default;
-    /// The topology must be closed.
-    ClimbStarts(std::span<const Vec3> vertices, const Topology& topology);
-
-    [[nodiscard]] bool empty() const { return starts_.empty(); }
-    [[nodiscard]] std::uint32_t near(const Vec3& direction) const { return starts_[cellOf(direction)]; }
-
-private:
-    [[nodiscard]] std::size_t cellOf(const Vec3& direction) const;
-
-    std::size_t cells_ = 1; ///< along a side of the cube
-    std::vector<std::uint32_t> starts_;
-};
-
 inline std::uint32_t climb(std::span<const Vec3> vertices, const Topology& topology, const Vec3& direction,
                            std::uint32_t start) {
     std::uint32_t best = start;
@@ -106,36 +86,6 @@ inline std::uint32_t climb(std::span<const Vec3> vertices, const Topology& topol
         best = topology.neighbors[steepest];
     }
     return best;
-}
-
-inline std::size_t ClimbStarts::cellOf(const Vec3& direction) const {
-    const double x = std::fabs(direction.x);
-    const double y = std::fabs(direction.y);
-    const double z = std::fabs(direction.z);
-    double largest = x;
-    double first = direction.y;
-    double second = direction.z;
-    std::size_t face = direction.x > 0.0 ? 0 : 1;
-    if (y > x && y >= z) {
-        largest = y;
-        first = direction.z;
-        second = direction.x;
-        face = direction.y > 0.0 ? 2 : 3;
-    } else if (z > x) {
-        largest = z;
-        first = direction.x;
-        second = direction.y;
-        face = direction.z > 0.0 ? 4 : 5;
-    }
-    if (!(largest > 0.0)) {
-        return 0;
-    }
-    const auto n = static_cast<double>(cells_);
-    const double scale = 0.5 * n / largest;
-    const auto cell = [&](double along) {
-        return static_cast<std::size_t>(std::clamp(along * scale + 0.5 * n, 0.0, n - 1.0));
-    };
-    return (face * cells_ + cell(first)) * cells_ + cell(second);
 }
 
 } // namespace elastoon

@@ -33,12 +33,25 @@ struct Approach {
     const Flight& flight;
     const Shape& shape;
     const Surface& surface;
+    bool turns = surface.frame.angular_velocity != Vec3(0.0);
+    /// Of a plane that does not turn: its normal, and the way from its frame's origin to its point.
+    Vec3 normal = surface.frame.orientation * surface.normal;
+    Vec3 way_to_point = surface.frame.orientation * surface.point;
 
-    [[nodiscard]] double gap(double t) const { return gapTo(surface, shape, poseAt(phase, shape, t), t); }
+    [[nodiscard]] Vec3 normalAt(double t) const { return turns ? surface.normalAt(t) : normal; }
+    [[nodiscard]] Vec3 pointAt(double t) const {
+        return turns ? surface.pointAt(t) : surface.frame.originAt(t) + way_to_point;
+    }
+    /// As gapTo(), to the bit.
+    [[nodiscard]] double gap(double t) const {
+        const Pose pose = poseAt(phase, shape, t);
+        const Vec3 way = normalAt(t);
+        return glm::dot(way, pose.position - pointAt(t)) - reachTowards(shape, pose, -way);
+    }
     /// Speed at which the unpushed centroid parts from the plane.
     [[nodiscard]] double partingSpeed(double t) const {
         const Vec3 velocity = flightVelocity(flight, t - phase.start);
-        return glm::dot(velocity - surface.frame.velocity, surface.normalAt(t));
+        return glm::dot(velocity - surface.frame.velocity, normalAt(t));
     }
     /// What may close the gap within [t, t + span] besides the centroid's own way along the normal, m/s.
     [[nodiscard]] double otherRate(double t, double span) const {
@@ -89,7 +102,7 @@ double timeToZero(double height, double speed, double pull) {
 }
 
 bool Approach::staysFar(double from, double to) const {
-    if (surface.frame.angular_velocity != Vec3(0.0)) {
+    if (turns) {
         return false;
     }
     const double longest = std::max(flight.max_stretch, flight.ease->stretch);
@@ -99,9 +112,8 @@ bool Approach::staysFar(double from, double to) const {
     const double reach = widest * (pushed ? 1.0 + kPushReach * pushGain(phase, from) : 1.0);
     const double elapsed = from - phase.start;
     const double span = to - from;
-    const Vec3 normal = surface.frame.orientation * surface.normal;
     const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
-    const double height = glm::dot(position - surface.pointAt(from), normal);
+    const double height = glm::dot(position - pointAt(from), normal);
     const double speed = glm::dot(flightVelocity(flight, elapsed) - surface.frame.velocity, normal);
     const double pull = glm::dot(flight.gravity, normal);
     double least = std::min(height, height + (speed + 0.5 * pull * span) * span);
@@ -113,21 +125,20 @@ bool Approach::staysFar(double from, double to) const {
 }
 
 double Approach::farUntil(double from, double to) const {
-    if (surface.frame.angular_velocity != Vec3(0.0)) {
+    if (turns) {
         return from;
     }
     const double span = to - from;
     const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
-    const Vec3 normal = surface.normalAt(from);
     const double push = pushRate(from, span, bounds);
     if (push > 0.0) {
         const double way = (bounds.speed + push + glm::length(surface.frame.velocity)) * span;
         const Vec3 position = poseAt(phase, shape, from).position;
-        return glm::dot(position - surface.pointAt(from), normal) > bounds.reach + way ? to : from;
+        return glm::dot(position - pointAt(from), normal) > bounds.reach + way ? to : from;
     }
     const double elapsed = from - phase.start;
     const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
-    const double height = glm::dot(position - surface.pointAt(from), normal) - bounds.reach;
+    const double height = glm::dot(position - pointAt(from), normal) - bounds.reach;
     if (!(height > 0.0)) {
         return from;
     }
@@ -207,7 +218,6 @@ namespace {
 /// Conservative advancement from a time at which the body is apart from the plane or touches it.
 std::optional<double> advance(const Approach& approach, double from, double to, double give_up) {
     const double length = approach.shape.length();
-    const bool turns = approach.surface.frame.angular_velocity != Vec3(0.0);
     double t = approach.farUntil(from, to);
     if (t >= to && to > from) {
         return std::nullopt;
@@ -221,14 +231,14 @@ std::optional<double> advance(const Approach& approach, double from, double to, 
             return t;
         }
         const double speed = approach.partingSpeed(t);
-        const double pull = turns ? -glm::length(approach.flight.gravity)
-                                  : glm::dot(approach.flight.gravity, approach.surface.normalAt(t));
+        const double pull =
+            approach.turns ? -glm::length(approach.flight.gravity) : glm::dot(approach.flight.gravity, approach.normal);
         const double rate_now = approach.otherRate(t, 0.0);
         // Look ahead about twice as far as today's rates say that nothing can happen, and bound the rates over that.
         const double guess = timeToZero(gap, speed - rate_now, pull);
         const double span = std::min(2.0 * guess, to - t);
         const double rate = approach.otherRate(t, span);
-        if (!turns && speed + std::max(0.0, pull) * span + rate < 0.0) {
+        if (!approach.turns && speed + std::max(0.0, pull) * span + rate < 0.0) {
             // It comes nearer all the time: there is one root, or none.
             const double ahead = span < to - t ? t + span : to;
             const double gap_ahead = approach.gap(ahead);

@@ -5,7 +5,9 @@
 #include "gjk.h"
 #include "vclip_body.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace elastoon {
 
@@ -421,26 +423,72 @@ std::uint32_t supportOf(const Body& body, const Vec3& direction) {
     return static_cast<std::uint32_t>(body.posed.shape->supportVertex(direction * body.posed.linear));
 }
 
-void startCold(const Vclip& walk, Feature& a, Feature& b) {
-    const Body& p = walk.a();
-    const Body& q = walk.b();
-    a = {Kind::Vertex, supportOf(p, -p.offset)};
-    const std::uint32_t corner = supportOf(q, p.at(a.index));
-    b = {Kind::Vertex, corner};
-    // A corner of a large face would draw the walk sideways, vertex by vertex: the face under the other body is nearer.
-    double highest = 0.0;
-    for (const std::uint32_t edge : q.topology.edgesOfVertex(corner)) {
-        const std::uint32_t face = q.ends(edge).tail == corner ? q.ends(edge).left : q.ends(edge).right;
-        const Vec3 normal = q.normal(face);
-        const double height = q.height(face, normal, p.at(a.index)) / glm::length(normal);
+/// The face of the shape that the point (shape frame) is highest over; of many faces, of those at the corner towards
+/// it.
+std::uint32_t faceUnder(const Shape& shape, const Vec3& point) {
+    constexpr std::size_t kFewFaces = 16;
+    const Topology& topology = shape.topology();
+    std::uint32_t best = 0;
+    double highest = -std::numeric_limits<double>::infinity();
+    const auto consider = [&](std::uint32_t face) {
+        const double height = glm::dot(topology.face_normals[face], point - shape.vertices()[shape.face(face)[0]]);
         if (height > highest) {
             highest = height;
-            b = {Kind::Face, face};
+            best = face;
+        }
+    };
+    if (const std::size_t count = topology.face_normals.size(); count <= kFewFaces) {
+        for (std::uint32_t face = 0; face < count; ++face) {
+            consider(face);
+        }
+        return best;
+    }
+    const auto corner = static_cast<std::uint32_t>(shape.supportVertex(point));
+    for (const std::uint32_t edge : topology.edgesOfVertex(corner)) {
+        consider(topology.edges[edge].tail == corner ? topology.edges[edge].left : topology.edges[edge].right);
+    }
+    return best;
+}
+
+/// The feature nearest to the point, to a guess that is made in the body's own frame: it may be stretched. `nearest` is
+/// about its point.
+Feature featureUnder(const Body& q, const Vec3& point, Vec3& nearest) {
+    const double volume = glm::dot(q.posed.linear[0], q.cofactor[0]);
+    const Vec3 own = ((point - q.offset) * q.cofactor) / volume;
+    const std::uint32_t face = faceUnder(*q.posed.shape, own);
+    const Vec3& normal = q.topology.face_normals[face];
+    std::uint32_t side = Topology::kNone;
+    double furthest = 0.0;
+    for (const std::uint32_t edge : q.topology.edgesOfFace(face)) {
+        const Topology::Edge& ends = q.ends(edge);
+        const Vec3 out =
+            glm::cross(q.vertices[ends.head] - q.vertices[ends.tail], ends.left == face ? normal : -normal);
+        const double beyond = glm::dot(out, own - q.vertices[ends.tail]);
+        const double squared = glm::dot(out, out);
+        if (beyond > 0.0 && beyond * beyond > furthest * squared) {
+            furthest = beyond * beyond / squared;
+            side = edge;
         }
     }
-    if (b.kind == Kind::Face) {
-        a.index = supportOf(p, -q.normal(b.index));
+    const Vec3& tail = q.vertices[side == Topology::kNone ? q.posed.shape->face(face)[0] : q.ends(side).tail];
+    if (side == Topology::kNone) {
+        nearest = q.offset + q.posed.linear * (own - normal * glm::dot(normal, own - tail));
+        return {Kind::Face, face};
     }
+    const Vec3 along = q.vertices[q.ends(side).head] - tail;
+    const double part = glm::dot(along, own - tail) / glm::dot(along, along);
+    nearest = q.offset + q.posed.linear * (tail + along * std::clamp(part, 0.0, 1.0));
+    return part <= 0.0   ? Feature{Kind::Vertex, q.ends(side).tail}
+           : part >= 1.0 ? Feature{Kind::Vertex, q.ends(side).head}
+                         : Feature{Kind::Edge, side};
+}
+
+/// Nearest to the other's middle, and then to the vertex that is furthest that way.
+void startCold(const Vclip& walk, Feature& a, Feature& b) {
+    const Body& p = walk.a();
+    Vec3 nearest(0.0);
+    b = featureUnder(walk.b(), p.offset, nearest);
+    a = {Kind::Vertex, supportOf(p, nearest - p.offset)};
 }
 
 /// Two faces are the one pair that the walk has no rule for.
@@ -473,6 +521,8 @@ Closest vclipClosest(const PosedShape& a, const PosedShape& b, ClosestSeed& seed
     if (!seed.has_features) {
         startCold(walk, at_a, at_b);
     }
+    // A seed from which it is further than this is worse than none.
+    constexpr int kFewSteps = 2;
     // Brent: a pair seen again is a cycle, of whatever length.
     Feature mark_a = at_a;
     Feature mark_b = at_b;
@@ -486,6 +536,12 @@ Closest vclipClosest(const PosedShape& a, const PosedShape& b, ClosestSeed& seed
         }
         if (step == Vclip::Step::Done) {
             break;
+        }
+        if (steps == kFewSteps && seed.has_features) {
+            startCold(walk, at_a, at_b);
+            mark_a = at_a;
+            mark_b = at_b;
+            continue;
         }
         if (at_a == mark_a && at_b == mark_b) {
             return fallBack(count.cycles);

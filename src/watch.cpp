@@ -23,6 +23,8 @@ constexpr double kLeastStep = 1.0 / 4096.0;
 /// On a solid, and where the body is moved clear of others, how it is moved is seen from its poses, not bounded: each
 /// half of an impact is looked at in so many parts at least.
 constexpr int kLeastParts = 2;
+/// So many are kept at once at most, nearly always.
+constexpr std::size_t kUsualLooks = 8;
 
 /// The solid's supporting plane across `normal` (world).
 Surface planeAcross(const Watched& watched, const Vec3& normal, double t) {
@@ -352,6 +354,7 @@ std::optional<Near> Lookout::between(const Look& a, const Look& b, Group group) 
 std::optional<Near> Lookout::beginningAt(double begin) {
     open_.clear();
     gaps_.clear();
+    gaps_.reserve(kUsualLooks * watches_.size());
     for (std::uint32_t i = 0; i < watches_.size(); ++i) {
         if (watches_[i].begin == begin) {
             open_.push_back(i);

@@ -1,5 +1,4 @@
-// See world.h: making a world, stepping it, asking it. What users change is in world_change.cpp, the motion in
-// step.cpp.
+// See world.h: making a world and asking it. What users change is in world_change.cpp, the step in world_step.cpp.
 #include "elastoon/world.h"
 
 #include "check_input.h"
@@ -7,9 +6,8 @@
 #include "hash.h"
 #include "impact.h"
 #include "line_contact.h"
-#include "lock.h"
-#include "prefetch.h"
 #include "rotation.h"
+#include "stopwatch.h"
 #include "world_impl.h"
 
 #include <algorithm>
@@ -94,7 +92,10 @@ std::optional<Overlap> World::Impl::overlapWith(std::size_t index, const Shape& 
 std::optional<Overlap> World::Impl::overlap(const Shape& shape, const Pose& pose) const {
     std::optional<Overlap> worst;
     double deepest = 1e-6 * shape.length();
-    std::vector<std::size_t> candidates = around.planes;
+    std::vector<std::size_t> candidates;
+    for (const Surroundings::Plane& plane : around.planes) {
+        candidates.push_back(plane.slot);
+    }
     const double reach = glm::length(scaleOf(pose.stretch)) * shape.boundingRadius();
     around.solids.query({pose.position - reach, pose.position + reach},
                         [&](std::size_t slot) { candidates.push_back(slot); });
@@ -254,189 +255,6 @@ Prediction World::predict(BodyId id, double horizon) const {
         event.body = id;
     }
     return prediction;
-}
-
-namespace {
-
-/// Adds the time of its life to a figure of the profile, where there is a clock.
-class Stopwatch {
-public:
-    Stopwatch(const std::function<double()>& read, double& seconds)
-        : read_(read), seconds_(seconds), begun_(read ? read() : 0.0) {}
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-    ~Stopwatch() { seconds_ += read_ ? read_() - begun_ : 0.0; }
-
-private:
-    const std::function<double()>& read_;
-    double& seconds_;
-    double begun_;
-};
-
-} // namespace
-
-double World::Impl::nextPathChange(double to) const {
-    double next = to;
-    for (const std::size_t i : around.on_paths) {
-        next = std::min(next, nextChange(around.obstacles[i].path, time));
-    }
-    return next;
-}
-
-/// Obstacles that have come to a key of their path take the next leg.
-void World::Impl::followPaths() {
-    const Stopwatch watch(clock, profile.follow_paths);
-    const std::vector<std::size_t> on_paths = around.on_paths;
-    for (const std::size_t i : on_paths) {
-        const ObstacleSlot& obstacle = around.obstacles[i];
-        const MovingFrame leg = frameAt(obstacle.path, time);
-        if (leg.start > obstacle.frame.start) {
-            setFrame(i, leg);
-        }
-    }
-}
-
-namespace {
-
-/// Empties the list, and gives back room that the last step hardly used: a world that is filled has a phase for each
-/// body.
-template <class T>
-void renew(std::vector<T>& list, std::vector<T>& pending) {
-    constexpr std::size_t kLittle = 1024;
-    const std::size_t wanted = 8 * std::max(list.size(), kLittle);
-    list.clear();
-    if (list.capacity() > wanted) {
-        list.shrink_to_fit();
-    }
-    std::swap(list, pending);
-}
-
-} // namespace
-
-void World::Impl::takePending() {
-    renew(events, pending.events);
-    renew(phases, pending.phases);
-}
-
-namespace {
-
-template <class T>
-void append(std::vector<T>& list, std::vector<T>& more) {
-    list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-    more.clear();
-}
-
-} // namespace
-
-void World::Impl::prepareStep(double until) {
-    const Stopwatch watch(clock, profile.prepare);
-    around.prepareStep(time, until);
-}
-
-Happenings World::Impl::spareHappenings() {
-    if (spare.empty()) {
-        return {};
-    }
-    Happenings out = std::move(spare.back());
-    spare.pop_back();
-    return out;
-}
-
-/// Bodies do not read each other, so any cut of the range gives the same motion.
-void World::Impl::advanceBodies(double to) {
-    const Stopwatch watch(clock, profile.advance);
-    struct Part {
-        std::size_t begin;
-        Happenings out;
-        std::size_t advanced = 0;
-    };
-    if (quiet_version != around.version) {
-        quiet_until.assign(bodies.size(), kNotQuiet);
-        quiet_version = around.version;
-    }
-    quiet_until.resize(bodies.size(), kNotQuiet);
-    std::vector<Part> parts;
-    Mutex guard;
-    const auto advanceRange = [&](std::size_t begin, std::size_t end) {
-        Part part{begin, {}, 0};
-        {
-            const Lock lock(guard);
-            part.out = spareHappenings();
-        }
-        // Who is busy is found first, so that the next ones are on their way to the cache while one is advanced.
-        constexpr std::size_t kSlotsAhead = 6;
-        constexpr std::size_t kRestAhead = 3;
-        thread_local std::vector<std::size_t> busy;
-        busy.clear();
-        for (std::size_t i = begin; i < end; ++i) {
-            if (to > quiet_until[i] && bodies[i].used) {
-                busy.push_back(i);
-            }
-        }
-        for (std::size_t k = 0; k < busy.size(); ++k) {
-            if (k + kSlotsAhead < busy.size()) {
-                prefetchSlot(bodies[busy[k + kSlotsAhead]]);
-            }
-            if (k + kRestAhead < busy.size()) {
-                prefetchRest(bodies[busy[k + kRestAhead]]);
-            }
-            const std::size_t i = busy[k];
-            quiet_until[i] = advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
-        }
-        part.advanced = busy.size();
-        const Lock lock(guard);
-        const auto later =
-            std::partition_point(parts.begin(), parts.end(), [&](const Part& p) { return p.begin < begin; });
-        parts.insert(later, std::move(part));
-    };
-    if (parallel_for) {
-        parallel_for(bodies.size(), advanceRange);
-    } else {
-        advanceRange(0, bodies.size());
-    }
-    for (Part& part : parts) {
-        profile.advanced += part.advanced;
-        for (const PhaseBegun& begun : part.out.phases) {
-            if (matrices.inUse()) {
-                matrices.changed(begun.body.slot - 1);
-            }
-        }
-        append(events, part.out.events);
-        append(phases, part.out.phases);
-        spare.push_back(std::move(part.out));
-    }
-}
-
-void World::step(double dt) {
-    const bool valid = dt >= 0.0 && dt <= kMostStep;
-    ELASTOON_ASSERT(valid, "dt must be finite, not negative, and at most 1e6 s");
-    if (!valid) {
-        return;
-    }
-    impl_->profile = {};
-    impl_->takePending();
-    impl_->advance(impl_->time + dt);
-}
-
-/// From one change of an obstacle's motion to the next.
-void World::Impl::advance(double to) {
-    do {
-        const double until = nextPathChange(to);
-        prepareStep(until);
-        advanceBodies(until);
-        time = until;
-        followPaths();
-        append(events, pending.events);
-        append(phases, pending.phases);
-    } while (time < to);
-    const Stopwatch watch(clock, profile.sort_events);
-    std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
-        return a.time < b.time || (a.time == b.time && a.body.slot < b.body.slot);
-    });
-    const auto before = [](const PhaseBegun& a, const PhaseBegun& b) { return a.body.slot < b.body.slot; };
-    if (!std::is_sorted(phases.begin(), phases.end(), before)) {
-        std::stable_sort(phases.begin(), phases.end(), before);
-    }
 }
 
 double World::time() const {

@@ -15,10 +15,10 @@ struct BenchScene {
 
 inline constexpr BenchScene kBenchScenes[] = {
     {"flight", 10000, 0x85d7358e0f692fe2},  //
-    {"rain", 10000, 0x6648d5d1adfc5443},    //
+    {"rain", 10000, 0xeea7e9c7e8949cbf},    //
     {"ballpit", 10000, 0x09734c0bd3a97657}, //
-    {"pachinko", 1000, 0xda78b96eb5e69ef0}, //
-    {"corners", 1000, 0xfb50946cedad633e},
+    {"pachinko", 1000, 0xd0aea823d5942f48}, //
+    {"corners", 1000, 0xf530591ce82c9903},
 };
 
 } // namespace elastoon

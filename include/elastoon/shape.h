@@ -17,7 +17,7 @@ namespace elastoon ELASTOON_API {
 class Shape;
 struct Topology;
 struct ShapeParts;
-class ClimbStarts;
+class SupportTable;
 /// Shapes are immutable and shared between worlds and bodies.
 using ShapePtr = std::shared_ptr<const Shape>;
 
@@ -79,8 +79,8 @@ public:
 
     /// Edges, and what meets what: for the library's own collision.
     [[nodiscard]] const Topology& topology() const { return *topology_; }
-    /// Where searches over the surface start: likewise.
-    [[nodiscard]] const ClimbStarts& climbStarts() const { return *climb_starts_; }
+    /// Where supportVertex() looks: likewise.
+    [[nodiscard]] const SupportTable& supportTable() const { return *support_table_; }
 
 private:
     friend struct ShapeParts;
@@ -93,7 +93,7 @@ private:
     std::vector<std::uint32_t> face_vertices_;
     std::vector<std::uint32_t> face_begin_;
     std::shared_ptr<const Topology> topology_;
-    std::shared_ptr<const ClimbStarts> climb_starts_;
+    std::shared_ptr<const SupportTable> support_table_;
     Vec3 extents_{0.0};
     Vec3 centroid_of_input_{0.0};
     double length_ = 0.0, bounding_radius_ = 0.0, reach_along_ = 0.0, reach_across_ = 0.0;

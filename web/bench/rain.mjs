@@ -75,8 +75,8 @@ function ours(scene) {
   };
 }
 
-/** `each_other`: bodies meet each other too, which ours do not. `vertices` of the bodies' hull; without, rapier's balls. */
-function rapier(scene, each_other, vertices) {
+/** Bodies of that collider; `each_other`: they meet each other too, which ours do not. */
+function rapier(scene, collider, each_other = false) {
   const world = new RAPIER.World({ x: 0, y: -9.81, z: 0 });
   world.timestep = 1 / 60;
   const solid = (desc) => desc.setRestitution(1).setFriction(0).setCollisionGroups(0x00010002);
@@ -94,8 +94,7 @@ function rapier(scene, each_other, vertices) {
   const bodies = scene.bodies.map(({ position, velocity }) => {
     const body = world.createRigidBody(RAPIER.RigidBodyDesc.dynamic().setTranslation(...position).setLinvel(...velocity).setCanSleep(false));
     const groups = each_other ? 0x00020003 : 0x00020001;
-    const collider = vertices ? RAPIER.ColliderDesc.convexHull(vertices) : RAPIER.ColliderDesc.ball(0.5);
-    world.createCollider(collider.setRestitution(1).setFriction(0).setCollisionGroups(groups), body);
+    world.createCollider(collider().setRestitution(1).setFriction(0).setCollisionGroups(groups), body);
     return body;
   });
   let sum = 0;
@@ -121,9 +120,11 @@ const natives = Array.from({ length: runs }, () =>
 const native = Math.min(...natives.map(([time]) => Number(time)));
 const wasm = measure(() => ours(scene));
 const vertices = Shape.ball(0.5).vertices();
-const hulls = measure(() => rapier(scene, false, vertices), 1).best;
-const balls = measure(() => rapier(scene, false)).best;
-const together = measure(() => rapier(scene, true)).best;
+const ball = () => RAPIER.ColliderDesc.ball(0.5);
+const hulls = measure(() => rapier(scene, () => RAPIER.ColliderDesc.convexHull(vertices)), 1).best;
+const boxes = measure(() => rapier(scene, () => RAPIER.ColliderDesc.cuboid(0.5, 0.5, 0.5))).best;
+const balls = measure(() => rapier(scene, ball)).best;
+const together = measure(() => rapier(scene, ball, true)).best;
 
 const row = (name, time) => console.log(`${name.padEnd(44)} ${time.toFixed(0).padStart(6)} ns a body and step`);
 console.log(`rain, ${count} bodies, Node ${process.versions.node}`);
@@ -131,6 +132,7 @@ row("elastoon, native", native);
 row(`elastoon, WebAssembly (${(wasm.best / native).toFixed(2)} of native)`, wasm.best);
 const beside = (name, time) => row(`rapier, ${name} (${(time / wasm.best).toFixed(1)} of ours)`, time);
 beside("the same hulls", hulls);
+beside("boxes", boxes);
 beside("balls", balls);
 beside("balls that meet each other", together);
 const same = natives.every(([, hash]) => hash === wasm.end);

@@ -1,0 +1,177 @@
+// World::step: bodies and obstacles move on. docs/step.md.
+#include "check_input.h"
+#include "lock.h"
+#include "prefetch.h"
+#include "stopwatch.h"
+#include "world_impl.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace elastoon {
+
+double World::Impl::nextPathChange(double to) const {
+    double next = to;
+    for (const std::size_t i : around.on_paths) {
+        next = std::min(next, nextChange(around.obstacles[i].path, time));
+    }
+    return next;
+}
+
+/// Obstacles that have come to a key of their path take the next leg.
+void World::Impl::followPaths() {
+    const Stopwatch watch(clock, profile.follow_paths);
+    const std::vector<std::size_t> on_paths = around.on_paths;
+    for (const std::size_t i : on_paths) {
+        const ObstacleSlot& obstacle = around.obstacles[i];
+        const MovingFrame leg = frameAt(obstacle.path, time);
+        if (leg.start > obstacle.frame.start) {
+            setFrame(i, leg);
+        }
+    }
+}
+
+namespace {
+
+/// Empties the list, and gives back room that the last step hardly used: a world that is filled has a phase for each
+/// body.
+template <class T>
+void renew(std::vector<T>& list, std::vector<T>& pending) {
+    constexpr std::size_t kLittle = 1024;
+    const std::size_t wanted = 8 * std::max(list.size(), kLittle);
+    list.clear();
+    if (list.capacity() > wanted) {
+        list.shrink_to_fit();
+    }
+    std::swap(list, pending);
+}
+
+} // namespace
+
+void World::Impl::takePending() {
+    renew(events, pending.events);
+    renew(phases, pending.phases);
+}
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& list, std::vector<T>& more) {
+    list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    more.clear();
+}
+
+} // namespace
+
+void World::Impl::prepareStep(double until) {
+    const Stopwatch watch(clock, profile.prepare);
+    around.prepareStep(time, until);
+}
+
+Happenings World::Impl::spareHappenings() {
+    if (spare.empty()) {
+        return {};
+    }
+    Happenings out = std::move(spare.back());
+    spare.pop_back();
+    return out;
+}
+
+/// Bodies do not read each other, so any cut of the range gives the same motion.
+void World::Impl::advanceBodies(double to) {
+    const Stopwatch watch(clock, profile.advance);
+    struct Part {
+        std::size_t begin;
+        Happenings out;
+        std::size_t advanced = 0;
+    };
+    if (quiet_version != around.version) {
+        quiet_until.assign(bodies.size(), kNotQuiet);
+        quiet_version = around.version;
+    }
+    quiet_until.resize(bodies.size(), kNotQuiet);
+    std::vector<Part> parts;
+    Mutex guard;
+    const auto advanceRange = [&](std::size_t begin, std::size_t end) {
+        Part part{begin, {}, 0};
+        {
+            const Lock lock(guard);
+            part.out = spareHappenings();
+        }
+        // Who is busy is found first, so that the next ones are on their way to the cache while one is advanced.
+        constexpr std::size_t kSlotsAhead = 6;
+        constexpr std::size_t kRestAhead = 3;
+        thread_local std::vector<std::size_t> busy;
+        busy.clear();
+        for (std::size_t i = begin; i < end; ++i) {
+            if (to > quiet_until[i] && bodies[i].used) {
+                busy.push_back(i);
+            }
+        }
+        for (std::size_t k = 0; k < busy.size(); ++k) {
+            if (k + kSlotsAhead < busy.size()) {
+                prefetchSlot(bodies[busy[k + kSlotsAhead]]);
+            }
+            if (k + kRestAhead < busy.size()) {
+                prefetchRest(bodies[busy[k + kRestAhead]]);
+            }
+            const std::size_t i = busy[k];
+            quiet_until[i] = advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
+        }
+        part.advanced = busy.size();
+        const Lock lock(guard);
+        const auto later =
+            std::partition_point(parts.begin(), parts.end(), [&](const Part& p) { return p.begin < begin; });
+        parts.insert(later, std::move(part));
+    };
+    if (parallel_for) {
+        parallel_for(bodies.size(), advanceRange);
+    } else {
+        advanceRange(0, bodies.size());
+    }
+    for (Part& part : parts) {
+        profile.advanced += part.advanced;
+        for (const PhaseBegun& begun : part.out.phases) {
+            if (matrices.inUse()) {
+                matrices.changed(begun.body.slot - 1);
+            }
+        }
+        append(events, part.out.events);
+        append(phases, part.out.phases);
+        spare.push_back(std::move(part.out));
+    }
+}
+
+void World::step(double dt) {
+    const bool valid = dt >= 0.0 && dt <= kMostStep;
+    ELASTOON_ASSERT(valid, "dt must be finite, not negative, and at most 1e6 s");
+    if (!valid) {
+        return;
+    }
+    impl_->profile = {};
+    impl_->takePending();
+    impl_->advance(impl_->time + dt);
+}
+
+/// From one change of an obstacle's motion to the next.
+void World::Impl::advance(double to) {
+    do {
+        const double until = nextPathChange(to);
+        prepareStep(until);
+        advanceBodies(until);
+        time = until;
+        followPaths();
+        append(events, pending.events);
+        append(phases, pending.phases);
+    } while (time < to);
+    const Stopwatch watch(clock, profile.sort_events);
+    std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
+        return a.time < b.time || (a.time == b.time && a.body.slot < b.body.slot);
+    });
+    const auto before = [](const PhaseBegun& a, const PhaseBegun& b) { return a.body.slot < b.body.slot; };
+    if (!std::is_sorted(phases.begin(), phases.end(), before)) {
+        std::stable_sort(phases.begin(), phases.end(), before);
+    }
+}
+
+} // namespace elastoon
