@@ -14,8 +14,7 @@ bool ImpactLanes::take(const Phase& phase) {
     return impact != nullptr && phase.clear_of.empty() && !impact->surface.solid && !impact->surface.frame.moves();
 }
 
-void ImpactLanes::set(std::size_t lane, std::size_t slot, const Phase& phase, const Shape& shape) {
-    const auto& impact = phase.get<Impact>();
+void ImpactLanes::set(std::size_t lane, const Impact& impact, const Shape& shape) {
     const auto put = [lane](std::array<Row, 3>& rows, const Vec3& from) {
         for (int axis = 0; axis < 3; ++axis) {
             rows[static_cast<std::size_t>(axis)][lane] = from[axis];
@@ -28,7 +27,6 @@ void ImpactLanes::set(std::size_t lane, std::size_t slot, const Phase& phase, co
         rows[3][lane] = from.z;
     };
     shapes[lane] = &shape;
-    slots[lane] = static_cast<std::uint32_t>(slot);
     begun[lane] = impact.begun;
     s_in[lane] = impact.curve.s_in;
     s_mid[lane] = impact.curve.s_mid;
@@ -168,11 +166,8 @@ struct SineCosine {
 }
 
 /// The vertex of each lane's shape that lies lowest.
-void findLowest(const ImpactLanes& in, Lying& lying) {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        if (in.shapes[i] == nullptr) {
-            continue;
-        }
+void findLowest(const ImpactLanes& in, std::size_t count, Lying& lying) {
+    for (std::size_t i = 0; i < count; ++i) {
         const Shape& shape = *in.shapes[i];
         const Vec3 direction(lying.stretch[i] * lying.root[i] * lying.down[0][i], lying.down[1][i], lying.down[2][i]);
         const Vec3& vertex = shape.vertices()[supportOf(shape, direction)];
@@ -194,16 +189,16 @@ void findLowest(const ImpactLanes& in, Lying& lying) {
 
 } // namespace
 
-void poseImpacts(const ImpactLanes& in, double t, Columns& out) {
+void poseImpacts(const ImpactLanes& in, std::size_t count, double t, Columns& out) {
     Lying lying{};
 #if defined(__x86_64__)
     static const bool kWide = __builtin_cpu_supports("avx2");
     kWide ? lieWide(in, t, lying) : lieHere(in, t, lying);
-    findLowest(in, lying);
+    findLowest(in, count, lying);
     kWide ? liftWide(in, lying, out) : liftHere(in, lying, out);
 #else
     lieHere(in, t, lying);
-    findLowest(in, lying);
+    findLowest(in, count, lying);
     liftHere(in, lying, out);
 #endif
 }

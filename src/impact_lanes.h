@@ -5,14 +5,12 @@
 #include "lanes.h"
 
 #include <array>
-#include <cstdint>
 
 namespace elastoon {
 
 /// What the poses of impacts that are kept clear of nothing are made from.
 struct ImpactLanes {
-    std::array<const Shape*, kLanes> shapes{}; ///< null: nobody's
-    std::array<std::uint32_t, kLanes> slots{}; ///< whose they are
+    std::array<const Shape*, kLanes> shapes{};
     Row begun{}, s_in{}, s_mid{}, s_out{}, omega_in{}, omega_out{}, t_in{}, t_out{};
     Row turn_angle{}, turn_from{}, smooth{}; ///< smooth: 1, else 0
     std::array<Row, 3> point{}, normal{}, contact{}, turn_axis{}, skims{};
@@ -22,10 +20,10 @@ struct ImpactLanes {
 
     /// Whether poses of this phase can be worked out here.
     [[nodiscard]] static bool take(const Phase& phase);
-    void set(std::size_t lane, std::size_t slot, const Phase& phase, const Shape& shape);
+    void set(std::size_t lane, const Impact& impact, const Shape& shape);
 };
 
-/// What impactPose() and linearOf() do, in the same order.
-void poseImpacts(const ImpactLanes& in, double t, Columns& out);
+/// What impactPose() and linearOf() do, in the same order; of the first `count` lanes.
+void poseImpacts(const ImpactLanes& in, std::size_t count, double t, Columns& out);
 
 } // namespace elastoon

@@ -68,7 +68,6 @@ void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
     const Some bit = Some{1} << lane;
     block.flights &= ~bit;
     block.written &= ~bit;
-    leaveImpact(slot);
     const auto poseUntil = [&](double until) {
         block.posed_until[lane] = until;
         block.any_posed_until = *std::max_element(block.posed_until.begin(), block.posed_until.end());
@@ -90,35 +89,11 @@ void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
         block.flights |= bit;
         poseUntil(std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
                            flight->ease->span > 0.0 ? phase.start + flight->ease->span + kAfter : phase.start));
-    } else if (ImpactLanes::take(body.phase)) {
-        takeImpact(slot, body);
-        poseUntil(-kForEver);
     } else if (const auto* rest = body.phase.as<Rest>()) {
         if (!rest->surface.frame.moves() && body.phase.clear_of.empty()) {
             writePose(slot, body, t);
             leave();
         }
-    }
-}
-
-void MatrixTable::takeImpact(std::size_t slot, const BodySlot& body) {
-    constexpr Some kAll = (Some{1} << kLanes) - 1;
-    auto& blocks = impacts_[slot / kLanes / kGroup];
-    auto block = std::find_if(blocks.begin(), blocks.end(), [](const ImpactBlock& b) { return b.used != kAll; });
-    block = block != blocks.end() ? block : blocks.emplace(block);
-    const auto lane = static_cast<std::size_t>(std::countr_one(block->used));
-    block->lanes.set(lane, slot, body.phase, *body.shape);
-    block->used |= Some{1} << lane;
-    const auto index = static_cast<std::size_t>(block - blocks.begin());
-    impact_lanes_[slot] = static_cast<std::uint32_t>(index * kLanes + lane + 1);
-}
-
-void MatrixTable::leaveImpact(std::size_t slot) {
-    if (const std::size_t lane = impact_lanes_[slot]; lane > 0) {
-        ImpactBlock& block = impacts_[slot / kLanes / kGroup][(lane - 1) / kLanes];
-        block.used &= ~(Some{1} << (lane - 1) % kLanes);
-        block.lanes.shapes[(lane - 1) % kLanes] = nullptr;
-        impact_lanes_[slot] = 0;
     }
 }
 
@@ -128,15 +103,10 @@ void MatrixTable::takeChanges(double t, const std::vector<BodySlot>& bodies, con
     gravity_ = gravity;
     const std::size_t count = (bodies.size() + kLanes - 1) / kLanes;
     all_changed_ = all_changed_ || blocks_.size() > count;
-    const std::size_t groups = (count + kGroup - 1) / kGroup;
     blocks_.resize(count);
-    impacts_.resize(groups);
-    impact_lanes_.resize(kLanes * count);
     matrices_.resize(kFloats * kLanes * count);
     if (all_changed_ || changed_.size() > bodies.size()) {
         blocks_.assign(count, Block{});
-        impacts_.assign(groups, {});
-        impact_lanes_.assign(kLanes * count, 0);
         for (std::size_t slot = 0; slot < bodies.size(); ++slot) {
             take(slot, bodies[slot], t);
         }
@@ -172,13 +142,36 @@ void forEach(std::uint32_t some, std::size_t index, What&& what) {
 
 } // namespace
 
-void MatrixTable::writePosed(std::size_t index, double t, const std::vector<BodySlot>& bodies) {
+void MatrixTable::writePosed(std::size_t index, double t, const std::vector<BodySlot>& bodies, Impacts& impacts) {
     forEach(posed(index + 4, t), index + 4, [&](std::size_t slot) { prefetchSlot(bodies[slot]); });
     forEach(posed(index + 2, t), index + 2, [&](std::size_t slot) { prefetchRest(bodies[slot]); });
-    forEach(posed(index, t), index, [&](std::size_t slot) { writePose(slot, bodies[slot], t); });
+    forEach(posed(index, t), index, [&](std::size_t slot) {
+        const BodySlot& body = bodies[slot];
+        if (!ImpactLanes::take(body.phase)) {
+            writePose(slot, body, t);
+            return;
+        }
+        impacts.slots[impacts.count] = slot;
+        impacts.lanes.set(impacts.count, body.phase.get<Impact>(), *body.shape);
+        if (++impacts.count == kLanes) {
+            writeImpacts(t, impacts);
+        }
+    });
 }
 
-/// Of impacts and those that are posed something is written too: their own matrices come after.
+void MatrixTable::writeImpacts(double t, Impacts& impacts) {
+    if (impacts.count == 0) {
+        return;
+    }
+    Columns columns;
+    poseImpacts(impacts.lanes, impacts.count, t, columns);
+    for (std::size_t i = 0; i < impacts.count; ++i) {
+        writeOne(columns, i, &matrices_[kFloats * impacts.slots[i]]);
+    }
+    impacts.count = 0;
+}
+
+/// Of those that are posed something is written too: their own matrices come after.
 void MatrixTable::writeFlights(std::size_t index, double t) {
     const Block& block = blocks_[index];
     const Some flights = block.flights & ~posed(index, t);
@@ -195,38 +188,28 @@ void MatrixTable::writeFlights(std::size_t index, double t) {
     forEach(flights, 0, [&](std::size_t lane) { writeOne(columns, lane, out + kFloats * lane); });
 }
 
-void MatrixTable::writeImpacts(std::size_t group, double t) {
-    for (const ImpactBlock& block : impacts_[group]) {
-        if (block.used == 0) {
-            continue;
-        }
-        Columns columns;
-        poseImpacts(block.lanes, t, columns);
-        forEach(block.used, 0,
-                [&](std::size_t lane) { writeOne(columns, lane, &matrices_[kFloats * block.lanes.slots[lane]]); });
-    }
-}
-
 std::span<const float> MatrixTable::at(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity,
                                        const ParallelFor& parallel_for) {
     takeChanges(t, bodies, gravity);
-    // One kind after the other: what each is worked out with stays in the nearest cache, and the matrices in the next.
-    const auto writeGroups = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t group = begin; group < end; ++group) {
-            const std::size_t last = std::min(blocks_.size(), (group + 1) * kGroup);
-            for (std::size_t i = group * kGroup; i < last; ++i) {
+    // Batches of one kind: what poses are worked out with stays in the nearest cache, and the matrices in the next.
+    constexpr std::size_t kBatch = 64;
+    const auto writeBlocks = [&](std::size_t begin, std::size_t end) {
+        Impacts impacts;
+        for (std::size_t first = begin; first < end; first += kBatch) {
+            const std::size_t last = std::min(end, first + kBatch);
+            for (std::size_t i = first; i < last; ++i) {
                 writeFlights(i, t);
             }
-            writeImpacts(group, t);
-            for (std::size_t i = group * kGroup; i < last; ++i) {
-                writePosed(i, t, bodies);
+            for (std::size_t i = first; i < last; ++i) {
+                writePosed(i, t, bodies, impacts);
             }
+            writeImpacts(t, impacts);
         }
     };
     if (parallel_for) {
-        parallel_for(impacts_.size(), writeGroups);
+        parallel_for(blocks_.size(), writeBlocks);
     } else {
-        writeGroups(0, impacts_.size());
+        writeBlocks(0, blocks_.size());
     }
     return std::span<const float>(matrices_).first(kFloats * bodies.size());
 }

@@ -37,22 +37,19 @@ private:
         Some flights = 0; ///< in lanes, from `posed_until` on
         Some written = 0; ///< their matrices stay as they are
     };
-    struct ImpactBlock {
-        ImpactLanes lanes;
-        Some used = 0;
-    };
-    /// So many blocks have their impacts together.
-    static constexpr std::size_t kGroup = 16;
-
     void take(std::size_t slot, const BodySlot& body, double t);
-    void takeImpact(std::size_t slot, const BodySlot& body);
-    void leaveImpact(std::size_t slot);
     void takeChanges(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity);
     /// Those whose pose is asked for, one by one.
     [[nodiscard]] Some posed(std::size_t index, double t) const;
-    void writePosed(std::size_t index, double t, const std::vector<BodySlot>& bodies);
+    /// Impacts that are worked out together.
+    struct Impacts {
+        ImpactLanes lanes;
+        std::array<std::size_t, kLanes> slots{}; ///< whose they are
+        std::size_t count = 0;
+    };
     void writeFlights(std::size_t index, double t);
-    void writeImpacts(std::size_t group, double t);
+    void writePosed(std::size_t index, double t, const std::vector<BodySlot>& bodies, Impacts& impacts);
+    void writeImpacts(double t, Impacts& impacts);
     void writePose(std::size_t slot, const BodySlot& body, double t);
 
     bool in_use_ = false;
@@ -60,8 +57,6 @@ private:
     Vec3 gravity_{0.0}; ///< that of the flights in lanes
     std::vector<std::uint32_t> changed_;
     std::vector<Block> blocks_;
-    std::vector<std::vector<ImpactBlock>> impacts_; ///< by group
-    std::vector<std::uint32_t> impact_lanes_; ///< by slot: which of the group's, from 1 on; 0: none
     std::vector<float> matrices_; ///< of whole blocks
 };
 
