@@ -3,6 +3,7 @@
 #include "push.h"
 
 #include "contact.h"
+#include "edge_contact.h"
 #include "flight.h"
 #include "impact.h"
 #include "line_contact.h"
@@ -117,8 +118,11 @@ std::optional<Footing> footingOf(const Surface& primary, const Shape& shape, con
     if (const auto lift = liftOntoFace(primary, shape, in_frame)) {
         return Footing{*lift, Vec3(0.0)};
     }
-    const auto contact = contactAlong({&shape, linearOf(in_frame), in_frame.position},
-                                      {primary.solid.get(), Mat3(1.0), Vec3(0.0)}, primary.normal);
+    auto contact = contactOnEdge(primary, shape, in_frame);
+    if (!contact) {
+        contact = contactAlong({&shape, linearOf(in_frame), in_frame.position},
+                               {primary.solid.get(), Mat3(1.0), Vec3(0.0)}, primary.normal);
+    }
     if (!contact) {
         return std::nullopt;
     }

@@ -15,10 +15,10 @@ struct BenchScene {
 
 inline constexpr BenchScene kBenchScenes[] = {
     {"flight", 10000, 0x85d7358e0f692fe2},  //
-    {"rain", 10000, 0xeea7e9c7e8949cbf},    //
+    {"rain", 10000, 0xb0ff196a44537c22},    //
     {"ballpit", 10000, 0x09734c0bd3a97657}, //
-    {"pachinko", 1000, 0xd0aea823d5942f48}, //
-    {"corners", 1000, 0xf530591ce82c9903},
+    {"pachinko", 1000, 0x8944355673c65044}, //
+    {"corners", 1000, 0x12037804b4a95c4c},
 };
 
 } // namespace elastoon

@@ -1,0 +1,16 @@
+// Where a posed body comes down on an edge of a solid: quick, for impacts that keep to the edge that was touched.
+#pragma once
+
+#include "elastoon/phase.h"
+#include "line_contact.h"
+
+#include <optional>
+
+namespace elastoon {
+
+/// As contactAlong() the surface's normal, where the surface touches an edge of its solid at its point, and the body
+/// comes down within that edge. None elsewhere. All in the surface's frame.
+[[nodiscard]] std::optional<LineContact> contactOnEdge(const Surface& surface, const Shape& shape,
+                                                       const Pose& pose_in_frame);
+
+} // namespace elastoon
