@@ -31,13 +31,16 @@ std::string_view nameOf(const Phase& phase) {
 
 namespace {
 
-Pose restPose(const Rest& rest, const Shape& shape, double t, double factor) {
+Pose restPose(const Rest& rest, const Shape& shape, double t, double factor, const Quat& turn) {
     const MovingFrame& frame = rest.surface.frame;
     Pose pose = rest.pose;
-    if (factor != 1.0) {
-        // Squashed where it stands.
+    if (factor != 1.0 || turn != kNoRotation) {
+        // Squashed, and turned, where it stands.
         const double reach = reachTowards(shape, pose, -rest.surface.normal);
         pose.stretch *= factor;
+        if (turn != kNoRotation) {
+            pose.orientation = unitOf(turn * pose.orientation);
+        }
         pose.position += rest.surface.normal * (reachTowards(shape, pose, -rest.surface.normal) - reach);
         if (rest.surface.solid) {
             // It may hang over the solid's edge.
@@ -52,7 +55,7 @@ Pose restPose(const Rest& rest, const Shape& shape, double t, double factor) {
 
 } // namespace
 
-Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor) {
+Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor, const Quat& turn) {
     const double time = std::max(t, phase.start);
     if (const auto* flight = phase.as<Flight>()) {
         Pose pose = unpushedPose(*flight, time - phase.start);
@@ -65,7 +68,7 @@ Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor) {
     if (const auto* slide = phase.as<Slide>()) {
         return slidePose(*slide, shape, time, factor);
     }
-    return restPose(phase.get<Rest>(), shape, time, factor);
+    return restPose(phase.get<Rest>(), shape, time, factor, turn);
 }
 
 Pose poseAt(const Phase& phase, const Shape& shape, double t) {
@@ -86,7 +89,7 @@ Vec3 velocityAt(const Phase& phase, const Shape& shape, double t) {
         return frame.velocity + frame.orientation * slideVelocity(*slide, time);
     }
     const auto& rest = phase.get<Rest>();
-    return rest.surface.frame.velocityAt(time, restPose(rest, shape, time, 1.0).position);
+    return rest.surface.frame.velocityAt(time, restPose(rest, shape, time, 1.0, kNoRotation).position);
 }
 
 } // namespace elastoon

@@ -19,9 +19,11 @@ struct Barrier {
 /// longer than `most`. At most 16 barriers are looked at.
 [[nodiscard]] std::optional<Vec3> leastPush(std::span<const Barrier> barriers, double most);
 
-/// Where the phase's own motion puts the body, with its stretch times `factor`: not yet kept clear of anything.
-/// In an impact or at rest the body still touches the phase's surface.
-[[nodiscard]] Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor = 1.0);
+/// Where the phase's own motion puts the body, with its stretch times `factor` and, at rest alone, turned by `turn` (in
+/// the surface's frame): not yet kept clear of anything. In an impact or at rest the body still touches the phase's
+/// surface.
+[[nodiscard]] Pose ownPose(const Phase& phase, const Shape& shape, double t, double factor = 1.0,
+                           const Quat& turn = kNoRotation);
 
 /// Takes the pose out of all surfaces that the phase is kept clear of by moving it. False if that cannot be done; the
 /// pose is then somewhere on the way.

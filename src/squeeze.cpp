@@ -2,10 +2,12 @@
 #include "squeeze.h"
 
 #include "contact.h"
+#include "press_turn.h"
 #include "push.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace elastoon {
 
@@ -13,7 +15,7 @@ namespace {
 
 /// A body is never squashed or stretched by more than this factor because it has no room.
 constexpr double kMostSqueeze = 20.0;
-/// Nor stretched by more than this between what stands: it need not have gone there.
+/// Nor stretched by more than this between what stands, unless it rests there: it need not have gone there.
 constexpr double kMostBetweenStanding = 2.0;
 
 /// How deep the pose is in what the body is kept clear of.
@@ -39,11 +41,13 @@ struct Form {
 class Squeeze {
 public:
     Squeeze(const Phase& phase, const Shape& shape, double t) : phase_(phase), shape_(shape), t_(t) {
-        const bool closes = surfaceOf(phase)->frame.moves() ||
+        const bool closes = phase.is<Rest>() || surfaceOf(phase)->frame.moves() ||
                             std::any_of(phase.clear_of.begin(), phase.clear_of.end(), [](const KeptClear& kept) {
                                 return kept.presses && kept.surface.frame.moves();
                             });
-        longest_ = closes ? kMostSqueeze : kMostBetweenStanding;
+        // No stretch goes beyond the most either: where one phase after the other stretches it, it would have no end.
+        longest_ = std::clamp(kMostSqueeze / ownPose(phase, shape, t).stretch, 1.0,
+                              closes ? kMostSqueeze : kMostBetweenStanding);
     }
     /// Flatter or longer, whichever fits sooner; then as near to its own stretch as fits.
     [[nodiscard]] Squeezed run() const {
@@ -60,10 +64,16 @@ public:
                 shallowest = form.depth < shallowest.depth ? form : shallowest;
             }
         }
+        if (phase_.is<Rest>()) {
+            if (const auto turned = atRest()) {
+                return *turned;
+            }
+        }
         return {shallowestAbout(shallowest.factor).pose, false};
     }
 
 private:
+    [[nodiscard]] std::optional<Squeezed> atRest() const;
     [[nodiscard]] Form formOf(double factor) const {
         Form form{factor, ownPose(phase_, shape_, t_, factor)};
         form.fits = moveClear(phase_, shape_, t_, form.pose);
@@ -111,6 +121,16 @@ Form Squeeze::shallowestAbout(double factor) const {
         }
     }
     return lower.depth <= upper.depth ? lower : upper;
+}
+
+/// Where none of the forms that were tried fits: one between them, or one for which it turns.
+std::optional<Squeezed> Squeeze::atRest() const {
+    const auto turn = turnUnderPress(phase_, shape_, t_, {1.0 / kMostSqueeze, longest_});
+    if (!turn || turn->angle != 0.0) {
+        return turn ? std::optional(Squeezed{turn->pose, turn->fits}) : std::nullopt;
+    }
+    const Form form = formOf(turn->factor);
+    return form.fits ? std::optional(Squeezed{nearestToOwn(form).pose, true}) : std::nullopt;
 }
 
 } // namespace
