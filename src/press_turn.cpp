@@ -4,6 +4,7 @@
 
 #include "contact.h"
 #include "dmath.h"
+#include "golden_section.h"
 #include "push.h"
 #include "rotation.h"
 
@@ -69,6 +70,7 @@ public:
         double angle = 0.0, factor = 1.0;
         double gap = 0.0;
     };
+    [[nodiscard]] static bool isWider(const Best& a, const Best& b) { return a.gap > b.gap; }
     /// The factor that leaves most of a gap at that angle.
     [[nodiscard]] Best bestAt(double angle) const;
     [[nodiscard]] const Best& unturned() const { return own_; }
@@ -126,7 +128,6 @@ double Turning::roughlyBest() const {
 
 /// By golden section about where the best factor between parallel plates would be.
 Turning::Best Turning::bestAt(double angle) const {
-    constexpr double kShare = 0.6180339887498949;
     constexpr double kAbout = 2.0;
     constexpr int kRounds = 44;
     double centre = centre_;
@@ -136,28 +137,14 @@ Turning::Best Turning::bestAt(double angle) const {
         centre *= twoThirds(std::max(0.0, turned.sin * own.cos) / std::max(turned.cos * own.sin, 1e-9));
         centre = std::clamp(centre, range_.least, range_.most);
     }
-    double low = std::max(range_.least, centre / kAbout);
-    double high = std::min(range_.most, centre * kAbout);
+    const double low = std::max(range_.least, centre / kAbout);
+    const double high = std::min(range_.most, centre * kAbout);
     const auto at = [&](double factor) { return Best{angle, factor, gapOf(angle, factor)}; };
-    Best best = at(low);
-    const auto keep = [&](const Best& other) { best = other.gap > best.gap ? other : best; };
-    keep(at(high));
-    Best lower = at(high - kShare * (high - low));
-    Best upper = at(low + kShare * (high - low));
-    for (int i = 0; i < kRounds; ++i) {
-        if (lower.gap >= upper.gap) {
-            high = upper.factor;
-            upper = lower;
-            lower = at(high - kShare * (high - low));
-        } else {
-            low = lower.factor;
-            lower = upper;
-            upper = at(low + kShare * (high - low));
-        }
-    }
-    keep(lower);
-    keep(upper);
-    return best;
+    const Best first = at(low);
+    const Best last = at(high);
+    const Best end = isWider(last, first) ? last : first;
+    const Best between = goldenSection(low, high, kRounds, at, isWider);
+    return isWider(between, end) ? between : end;
 }
 
 int Turning::way() const {
@@ -208,22 +195,8 @@ Turning::Best Turning::firstGap(Best without, Best with, double wanted) const {
 
 /// The one with the widest gap between two angles, by golden section.
 Turning::Best Turning::widestWithin(double low, double high) const {
-    constexpr double kShare = 0.6180339887498949;
     constexpr int kRounds = 24;
-    Best lower = bestAt(high - kShare * (high - low));
-    Best upper = bestAt(low + kShare * (high - low));
-    for (int i = 0; i < kRounds; ++i) {
-        if (lower.gap >= upper.gap) {
-            high = upper.angle;
-            upper = lower;
-            lower = bestAt(high - kShare * (high - low));
-        } else {
-            low = lower.angle;
-            lower = upper;
-            upper = bestAt(low + kShare * (high - low));
-        }
-    }
-    return lower.gap >= upper.gap ? lower : upper;
+    return goldenSection(low, high, kRounds, [&](double angle) { return bestAt(angle); }, isWider);
 }
 
 /// Uphill, but for the bumps that corners make: beyond a dip there may be more room, but the body would jump there.

@@ -2,6 +2,7 @@
 #include "squeeze.h"
 
 #include "contact.h"
+#include "golden_section.h"
 #include "press_turn.h"
 #include "push.h"
 
@@ -104,23 +105,10 @@ Form Squeeze::nearestToOwn(Form fit) const {
 
 /// Where no form fits: the one that is least deep, by golden section, so that what closes on it enters it slowly.
 Form Squeeze::shallowestAbout(double factor) const {
-    constexpr double kShare = 0.6180339887498949;
-    double low = factor / kRatio;
-    double high = std::min(factor * kRatio, longest_);
-    Form lower = formOf(high - kShare * (high - low));
-    Form upper = formOf(low + kShare * (high - low));
-    for (int i = 0; i < 40; ++i) {
-        if (lower.depth <= upper.depth) {
-            high = upper.factor;
-            upper = lower;
-            lower = formOf(high - kShare * (high - low));
-        } else {
-            low = lower.factor;
-            lower = upper;
-            upper = formOf(low + kShare * (high - low));
-        }
-    }
-    return lower.depth <= upper.depth ? lower : upper;
+    constexpr int kRounds = 40;
+    return goldenSection(
+        factor / kRatio, std::min(factor * kRatio, longest_), kRounds, [&](double f) { return formOf(f); },
+        [](const Form& a, const Form& b) { return a.depth < b.depth; });
 }
 
 /// Where none of the forms that were tried fits: one between them, or one for which it turns.

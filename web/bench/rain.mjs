@@ -1,6 +1,6 @@
 // Rain, as of scripts/bench.sh, in Node: this package, rapier, and a native program, in ns for each body and step with its
 // matrix read. The native program must end with the same hash. Rapier has the same 258-vertex hulls, as Bullet has in the
-// native benchmark; and once more its own balls, which it need not search for what is nearest.
+// native benchmark; and once more its own boxes and balls, which have fewer corners to search, or none.
 // Usage: node web/bench/rain.mjs [BODIES] [--check]
 // --check: ends with 1 where WebAssembly takes over twice native's time, or rapier with its balls less than ten times ours.
 import { execFileSync } from "node:child_process";
