@@ -67,16 +67,10 @@ namespace {
         const bool acute = cosine >= 0.0;
         const double half_sine = acute ? smaller : (sine < 0.0 ? -larger : larger);
         const double half_cosine = acute ? larger : std::fabs(smaller);
-        const double pw = half_cosine;
-        const double px = in.axis[0][i] * half_sine, py = in.axis[1][i] * half_sine, pz = in.axis[2][i] * half_sine;
-        const double ow = in.orientation[0][i], ox = in.orientation[1][i];
-        const double oy = in.orientation[2][i], oz = in.orientation[3][i];
-        const double w = pw * ow - px * ox - py * oy - pz * oz;
-        const double x = pw * ox + px * ow + py * oz - pz * oy;
-        const double y = pw * oy + py * ow + pz * ox - px * oz;
-        const double z = pw * oz + pz * ow + px * oy - py * ox;
-
-        putLinear(w, x, y, z, stretch, i, out);
+        const LaneTurn turn{half_cosine, in.axis[0][i] * half_sine, in.axis[1][i] * half_sine,
+                            in.axis[2][i] * half_sine};
+        const LaneTurn first{in.orientation[0][i], in.orientation[1][i], in.orientation[2][i], in.orientation[3][i]};
+        putLinear(turn * first, stretch, i, out);
         out[9][i] = static_cast<float>(in.position[0][i] + (vx + gx * half) * elapsed);
         out[10][i] = static_cast<float>(in.position[1][i] + (vy + gy * half) * elapsed);
         out[11][i] = static_cast<float>(in.position[2][i] + (vz + gz * half) * elapsed);

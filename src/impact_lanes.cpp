@@ -73,14 +73,14 @@ struct SineCosine {
     return {beyond ? c : s, beyond ? -s : c};
 }
 
-/// A vector turned by the rotation (w, x, y, z).
-[[gnu::always_inline]] inline void turned(double w, double x, double y, double z, double vx, double vy, double vz,
-                                          double& ox, double& oy, double& oz) {
-    const double ux = y * vz - vy * z, uy = z * vx - vz * x, uz = x * vy - vx * y;
-    const double tx = y * uz - uy * z, ty = z * ux - uz * x, tz = x * uy - ux * y;
-    ox = vx + (ux * w + tx) * 2.0;
-    oy = vy + (uy * w + ty) * 2.0;
-    oz = vz + (uz * w + tz) * 2.0;
+/// A vector that is turned.
+[[gnu::always_inline]] inline void turned(const LaneTurn& q, double vx, double vy, double vz, double& ox, double& oy,
+                                          double& oz) {
+    const double ux = q.y * vz - vy * q.z, uy = q.z * vx - vz * q.x, uz = q.x * vy - vx * q.y;
+    const double tx = q.y * uz - uy * q.z, ty = q.z * ux - uz * q.x, tz = q.x * uy - ux * q.y;
+    ox = vx + (ux * q.w + tx) * 2.0;
+    oy = vy + (uy * q.w + ty) * 2.0;
+    oz = vz + (uz * q.w + tz) * 2.0;
 }
 
 [[gnu::always_inline]] inline void lieHere(const ImpactLanes& in, double t, Lying& __restrict out) {
@@ -112,32 +112,27 @@ struct SineCosine {
         // orientationAfter().
         const double done = (share - in.turn_from[i]) / (1.0 - in.turn_from[i]);
         const SineCosine about = sineCosine(0.5 * (in.turn_angle[i] * done));
-        const double pw = about.cosine;
-        const double px = in.turn_axis[0][i] * about.sine, py = in.turn_axis[1][i] * about.sine;
-        const double pz = in.turn_axis[2][i] * about.sine;
-        const double ow = in.orientation[0][i], ox = in.orientation[1][i];
-        const double oy = in.orientation[2][i], oz = in.orientation[3][i];
-        const double qw = pw * ow - px * ox - py * oy - pz * oz;
-        const double qx = pw * ox + px * ow + py * oz - pz * oy;
-        const double qy = pw * oy + py * ow + pz * ox - px * oz;
-        const double qz = pw * oz + pz * ow + px * oy - py * ox;
+        const LaneTurn turn{about.cosine, in.turn_axis[0][i] * about.sine, in.turn_axis[1][i] * about.sine,
+                            in.turn_axis[2][i] * about.sine};
+        const LaneTurn first{in.orientation[0][i], in.orientation[1][i], in.orientation[2][i], in.orientation[3][i]};
+        const LaneTurn q = turn * first;
 
         // The contact stays where it is.
         const double thin = 1.0 / std::sqrt(stretch);
         double lever_x, lever_y, lever_z;
-        turned(qw, qx, qy, qz, stretch * in.contact[0][i], thin * in.contact[1][i], thin * in.contact[2][i], lever_x,
-               lever_y, lever_z);
+        turned(q, stretch * in.contact[0][i], thin * in.contact[1][i], thin * in.contact[2][i], lever_x, lever_y,
+               lever_z);
         out.stretch[i] = stretch;
         out.root[i] = std::sqrt(stretch);
-        out.turn[0][i] = qw;
-        out.turn[1][i] = qx;
-        out.turn[2][i] = qy;
-        out.turn[3][i] = qz;
+        out.turn[0][i] = q.w;
+        out.turn[1][i] = q.x;
+        out.turn[2][i] = q.y;
+        out.turn[3][i] = q.z;
         out.position[0][i] = in.point[0][i] + in.skims[0][i] * elapsed - lever_x;
         out.position[1][i] = in.point[1][i] + in.skims[1][i] * elapsed - lever_y;
         out.position[2][i] = in.point[2][i] + in.skims[2][i] * elapsed - lever_z;
-        turned(qw, -qx, -qy, -qz, -in.normal[0][i], -in.normal[1][i], -in.normal[2][i], out.down[0][i], out.down[1][i],
-               out.down[2][i]);
+        turned({q.w, -q.x, -q.y, -q.z}, -in.normal[0][i], -in.normal[1][i], -in.normal[2][i], out.down[0][i],
+               out.down[1][i], out.down[2][i]);
     }
 }
 
@@ -153,12 +148,11 @@ struct SineCosine {
         const double lift =
             reach - (nx * (bx - in.point[0][i]) + ny * (by - in.point[1][i]) + nz * (bz - in.point[2][i]));
         // From the plane's frame to the world.
-        const double fw = in.frame[0][i], fx = in.frame[1][i], fy = in.frame[2][i], fz = in.frame[3][i];
+        const LaneTurn frame{in.frame[0][i], in.frame[1][i], in.frame[2][i], in.frame[3][i]};
         double x, y, z;
-        turned(fw, fx, fy, fz, bx + nx * lift, by + ny * lift, bz + nz * lift, x, y, z);
-        const double qw = lying.turn[0][i], qx = lying.turn[1][i], qy = lying.turn[2][i], qz = lying.turn[3][i];
-        putLinear(fw * qw - fx * qx - fy * qy - fz * qz, fw * qx + fx * qw + fy * qz - fz * qy,
-                  fw * qy + fy * qw + fz * qx - fx * qz, fw * qz + fz * qw + fx * qy - fy * qx, stretch, i, out);
+        turned(frame, bx + nx * lift, by + ny * lift, bz + nz * lift, x, y, z);
+        const LaneTurn in_frame{lying.turn[0][i], lying.turn[1][i], lying.turn[2][i], lying.turn[3][i]};
+        putLinear(frame * in_frame, stretch, i, out);
         out[9][i] = static_cast<float>(in.origin[0][i] + x);
         out[10][i] = static_cast<float>(in.origin[1][i] + y);
         out[11][i] = static_cast<float>(in.origin[2][i] + z);

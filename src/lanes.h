@@ -14,9 +14,20 @@ inline constexpr std::size_t kMatrixFloats = 12;
 /// Of each lane the columns of the linear part, then the position; number by number.
 using Columns = std::array<std::array<float, kLanes>, kMatrixFloats>;
 
+/// A rotation of one lane. glm's own product has the same order, but is no loop that the compiler turns into one of
+/// many.
+struct LaneTurn {
+    double w, x, y, z;
+};
+
+[[gnu::always_inline]] inline LaneTurn operator*(const LaneTurn& p, const LaneTurn& q) {
+    return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
+            p.w * q.y + p.y * q.w + p.z * q.x - p.x * q.z, p.w * q.z + p.z * q.w + p.x * q.y - p.y * q.x};
+}
+
 /// The linear part of one lane's pose, as linearOf() has it, to the bit.
-[[gnu::always_inline]] inline void putLinear(double w, double x, double y, double z, double stretch, std::size_t i,
-                                             Columns& out) {
+[[gnu::always_inline]] inline void putLinear(const LaneTurn& turn, double stretch, std::size_t i, Columns& out) {
+    const double w = turn.w, x = turn.x, y = turn.y, z = turn.z;
     const double thin = 1.0 / std::sqrt(stretch);
     const double xx = x * x, yy = y * y, zz = z * z, xz = x * z, xy = x * y, yz = y * z;
     const double wqx = w * x, wqy = w * y, wqz = w * z;

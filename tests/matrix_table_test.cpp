@@ -1,6 +1,8 @@
 // World::matrices() against pose(), to the bit, in worlds where everything happens and bodies come and go.
+#include "dmath.h"
 #include "elastoon/scene.h"
 #include "golden/golden_run.h"
+#include "impact_lanes.h"
 #include "test_support.h"
 
 namespace elastoon {
@@ -52,6 +54,70 @@ BodyDef thrown(Random& random) {
                                : random.inBox(8.0);
     def.rotation = random.rotation();
     return def;
+}
+
+/// An impact on a plane, of any form: also with a half that takes no time.
+Phase anyImpact(Random& random) {
+    Impact impact;
+    impact.begun = random.uniform(0.0, 100.0);
+    MovingFrame& frame = impact.surface.frame;
+    frame.origin = random.inBox(5.0);
+    frame.orientation = random.below(2) == 0 ? kNoRotation : random.rotation();
+    impact.surface.point = random.inBox(5.0);
+    impact.surface.normal = random.direction();
+    impact.contact_in_shape = random.inBox(0.5);
+    impact.orientation = random.rotation();
+    impact.turn_axis = random.direction();
+    impact.turn_angle = random.below(4) == 0 ? 0.0 : random.uniform(0.0, kPi);
+    impact.skims = random.below(2) == 0 ? Vec3(0.0) : random.inBox(3.0);
+    impact.easing = random.below(2) == 0 ? ImpactEasing::Smooth : ImpactEasing::Linear;
+    ImpactCurve& curve = impact.curve;
+    curve.s_in = random.uniform(0.5, 2.0);
+    curve.s_mid = random.uniform(0.3, 1.0);
+    curve.s_out = random.uniform(0.5, 2.0);
+    const int kind = random.below(5);
+    curve.t_in = kind == 0 || kind == 2 ? 0.0 : random.uniform(1e-6, 0.5);
+    curve.t_out = kind == 1 || kind == 2 ? 0.0 : random.uniform(1e-6, 0.5);
+    curve.omega_in = curve.t_in > 0.0 ? 0.5 * kPi / curve.t_in : 0.0;
+    curve.omega_out = curve.t_out > 0.0 ? 0.5 * kPi / curve.t_out : 0.0;
+    Phase phase;
+    phase.start = impact.begun;
+    phase.end = impact.begun + curve.duration();
+    phase.motion = impact;
+    return phase;
+}
+
+TEST(MatrixTable, LanesOfImpactsAreWhatThePosesSay) {
+    Random random(19);
+    const std::vector<ShapePtr> shapes{valueOf(Shape::sphere(0.5, 8)), valueOf(Shape::box({0.3, 0.5, 0.4}))};
+    for (int i = 0; i < 200 * soak(); ++i) {
+        ImpactLanes lanes;
+        const double share = random.below(4) * 0.25 + random.below(2) * random.uniform(0.0, 0.25);
+        std::vector<Phase> phases;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            phases.push_back(anyImpact(random));
+            Phase& phase = phases.back();
+            // All are looked at at the same time.
+            auto& impact = phase.get<Impact>();
+            impact.begun = phase.start = 200.0 - share * impact.curve.duration();
+            // What turned before its phase began has turned since.
+            const double turned = turnShare(impact.curve, impact.easing, 200.0 - impact.begun);
+            impact.turn_from = random.below(2) == 0 ? 0.0 : random.uniform(0.0, 0.9) * turned;
+            ASSERT_TRUE(ImpactLanes::take(phase));
+            lanes.set(lane, impact, *shapes[lane % 2]);
+        }
+        Columns columns;
+        poseImpacts(lanes, kLanes, 200.0, columns);
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const Pose pose = poseAt(phases[lane], *shapes[lane % 2], 200.0);
+            const Mat3 linear = linearOf(pose);
+            for (int k = 0; k < 12; ++k) {
+                const double value = k < 9 ? linear[k / 3][k % 3] : pose.position[k - 9];
+                ASSERT_EQ(columns[static_cast<std::size_t>(k)][lane], static_cast<float>(value))
+                    << "number " << k << " of case " << i << ", at " << share;
+            }
+        }
+    }
 }
 
 TEST(MatrixTable, FollowsAllThatUsersChange) {
