@@ -61,14 +61,15 @@ inline std::size_t SupportTable::cellOf(const Vec3& direction) const {
     if (!(largest > 0.0)) {
         return 0;
     }
-    const std::int32_t face = 2 * (static_cast<std::int32_t>(along_y) + 2 * static_cast<std::int32_t>(along_z)) +
-                              static_cast<std::int32_t>(!(main > 0.0));
+    const std::size_t axis = along_y ? 1 : along_z ? 2 : 0;
+    const std::size_t face = 2 * axis + (main > 0.0 ? 0 : 1);
     const double half = 0.5 * side_;
     const double scale = half / largest;
     const auto along = [&](double part) {
-        return std::clamp(static_cast<std::int32_t>(part * scale + half), 0, side_ - 1);
+        return static_cast<std::size_t>(std::clamp(static_cast<std::int32_t>(part * scale + half), 0, side_ - 1));
     };
-    return static_cast<std::size_t>((face * side_ + along(first)) * side_ + along(second));
+    const auto side = static_cast<std::size_t>(side_);
+    return (face * side + along(first)) * side + along(second);
 }
 
 } // namespace elastoon
