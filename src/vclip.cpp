@@ -522,7 +522,7 @@ Closest vclipClosest(const PosedShape& a, const PosedShape& b, ClosestSeed& seed
         startCold(walk, at_a, at_b);
     }
     // A seed from which it is further than this is worse than none.
-    constexpr int kFewSteps = 2;
+    constexpr int kFewSteps = 6;
     // Brent: a pair seen again is a cycle, of whatever length.
     Feature mark_a = at_a;
     Feature mark_b = at_b;
