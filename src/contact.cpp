@@ -3,7 +3,6 @@
 
 #include "contact_region.h"
 #include "edge_contact.h"
-#include "line_contact.h"
 #include "rotation.h"
 #include "support.h"
 
@@ -145,13 +144,8 @@ double liftToTouch(const Surface& surface, const Shape& shape, const Pose& pose_
         if (const auto lift = liftOntoFace(surface, shape, pose_in_frame)) {
             return *lift;
         }
-        if (const auto contact = contactOnEdge(surface, shape, pose_in_frame)) {
+        if (const auto contact = contactOffFace(surface, shape, pose_in_frame)) {
             return contact->shift;
-        }
-        const auto lift = separationAlong({&shape, linearOf(pose_in_frame), pose_in_frame.position},
-                                          {surface.solid.get(), Mat3(1.0), Vec3(0.0)}, surface.normal);
-        if (lift) {
-            return *lift;
         }
     }
     return reachTowards(shape, pose_in_frame, -surface.normal) -

@@ -136,4 +136,12 @@ std::optional<LineContact> contactOnEdge(const Surface& surface, const Shape& sh
     return LineContact{shift, glm::normalize(normal)};
 }
 
+std::optional<LineContact> contactOffFace(const Surface& surface, const Shape& shape, const Pose& pose) {
+    if (const auto contact = contactOnEdge(surface, shape, pose)) {
+        return contact;
+    }
+    return contactAlong({&shape, linearOf(pose), pose.position}, {surface.solid.get(), Mat3(1.0), Vec3(0.0)},
+                        surface.normal);
+}
+
 } // namespace elastoon

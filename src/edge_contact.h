@@ -13,4 +13,8 @@ namespace elastoon {
 [[nodiscard]] std::optional<LineContact> contactOnEdge(const Surface& surface, const Shape& shape,
                                                        const Pose& pose_in_frame);
 
+/// contactAlong() the surface's normal: on the edge where that is where it comes down.
+[[nodiscard]] std::optional<LineContact> contactOffFace(const Surface& surface, const Shape& shape,
+                                                        const Pose& pose_in_frame);
+
 } // namespace elastoon

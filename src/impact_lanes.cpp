@@ -9,7 +9,7 @@
 
 namespace elastoon {
 
-bool ImpactLanes::take(const Phase& phase) {
+bool ImpactLanes::fits(const Phase& phase) {
     const auto* impact = phase.as<Impact>();
     return impact != nullptr && phase.clear_of.empty() && !impact->surface.solid && !impact->surface.frame.moves();
 }

@@ -19,7 +19,7 @@ struct ImpactLanes {
     std::array<Row, 4> frame{};
 
     /// Whether poses of this phase can be worked out here.
-    [[nodiscard]] static bool take(const Phase& phase);
+    [[nodiscard]] static bool fits(const Phase& phase);
     void set(std::size_t lane, const Impact& impact, const Shape& shape);
 };
 

@@ -89,8 +89,6 @@ void Portal::takeSupport(const Vec3& direction, Corner& corner) {
     corner.a = a_.linear * a_.shape->vertices()[corner.index_a];
     corner.b = b_.linear * b_.shape->vertices()[corner.index_b];
     corner.at = (corner.a - corner.b) - base_;
-    last_.index_a = corner.index_a;
-    last_.index_b = corner.index_b;
 }
 
 /// A corner on the far side of the line: if it can be, one that is also up.

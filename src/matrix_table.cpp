@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -147,7 +146,7 @@ void MatrixTable::writePosed(std::size_t index, double t, const std::vector<Body
     forEach(posed(index + 2, t), index + 2, [&](std::size_t slot) { prefetchRest(bodies[slot]); });
     forEach(posed(index, t), index, [&](std::size_t slot) {
         const BodySlot& body = bodies[slot];
-        if (!ImpactLanes::take(body.phase)) {
+        if (!ImpactLanes::fits(body.phase)) {
             writePose(slot, body, t);
             return;
         }

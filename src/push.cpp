@@ -6,7 +6,6 @@
 #include "edge_contact.h"
 #include "flight.h"
 #include "impact.h"
-#include "line_contact.h"
 #include "squeeze.h"
 
 #include <algorithm>
@@ -118,11 +117,7 @@ std::optional<Footing> footingOf(const Surface& primary, const Shape& shape, con
     if (const auto lift = liftOntoFace(primary, shape, in_frame)) {
         return Footing{*lift, Vec3(0.0)};
     }
-    auto contact = contactOnEdge(primary, shape, in_frame);
-    if (!contact) {
-        contact = contactAlong({&shape, linearOf(in_frame), in_frame.position},
-                               {primary.solid.get(), Mat3(1.0), Vec3(0.0)}, primary.normal);
-    }
+    const auto contact = contactOffFace(primary, shape, in_frame);
     if (!contact) {
         return std::nullopt;
     }

@@ -103,7 +103,7 @@ TEST(MatrixTable, LanesOfImpactsAreWhatThePosesSay) {
             // What turned before its phase began has turned since.
             const double turned = turnShare(impact.curve, impact.easing, 200.0 - impact.begun);
             impact.turn_from = random.below(2) == 0 ? 0.0 : random.uniform(0.0, 0.9) * turned;
-            ASSERT_TRUE(ImpactLanes::take(phase));
+            ASSERT_TRUE(ImpactLanes::fits(phase));
             lanes.set(lane, impact, *shapes[lane % 2]);
         }
         Columns columns;
