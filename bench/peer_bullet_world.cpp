@@ -11,6 +11,7 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
 #include <deque>
+#include <utility>
 
 namespace elastoon {
 
@@ -19,6 +20,18 @@ namespace {
 constexpr btScalar kStep = btScalar(1.0 / 60.0);
 constexpr int kObstacle = 1;
 constexpr int kBody = 2;
+
+/// The half-spaces that a room is between: a plane's normal, into the room, and its offset along it.
+std::vector<std::pair<Vec3, double>> roomOf(const BenchWorld& scene) {
+    if (scene.half <= 0.0) {
+        return {};
+    }
+    return {{{0, 1, 0}, 0.0},
+            {{1, 0, 0}, -scene.half},
+            {{-1, 0, 0}, -scene.half},
+            {{0, 0, 1}, -scene.half},
+            {{0, 0, -1}, -scene.half}};
+}
 
 class BulletWorld : public WorldContender {
 public:
@@ -29,12 +42,6 @@ public:
         world_.getWorldInfo().m_dispatcher = &dispatcher_;
         world_.getWorldInfo().m_broadphase = &broadphase_;
         world_.getWorldInfo().m_sparsesdf.Initialize();
-        if (scene.half > 0.0) {
-            addPlane({0, 1, 0}, 0.0, scene);
-            for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
-                addPlane(normal, -scene.half, scene);
-            }
-        }
         for (const ObstacleDef& obstacle : scene.obstacles) {
             shapes_.push_back(bulletShape(*obstacle.shape));
             const Pose pose{obstacle.position, glm::normalize(obstacle.rotation), 1.0};
@@ -68,10 +75,6 @@ protected:
         world_.addRigidBody(&body, mass > 0 ? kBody : kObstacle, mass > 0 ? kObstacle : kBody);
         return body;
     }
-    void addPlane(const Vec3& normal, double offset, const BenchWorld& scene) {
-        shapes_.push_back(std::make_shared<btStaticPlaneShape>(bulletOf(normal), static_cast<btScalar>(offset)));
-        addRigid(shapes_.back().get(), 0, btTransform::getIdentity(), scene);
-    }
 
     btSoftBodyRigidBodyCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_;
@@ -86,6 +89,10 @@ protected:
 class RigidWorld : public BulletWorld {
 public:
     explicit RigidWorld(const BenchWorld& scene) : BulletWorld(scene) {
+        for (const auto& [normal, offset] : roomOf(scene)) {
+            shapes_.push_back(std::make_shared<btStaticPlaneShape>(bulletOf(normal), static_cast<btScalar>(offset)));
+            addRigid(shapes_.back().get(), 0, btTransform::getIdentity(), scene);
+        }
         shapes_.push_back(bulletShape(*scene.shape));
         first_ = rigid_.size();
         for (const BodyDef& def : scene.bodies) {
@@ -118,6 +125,7 @@ private:
 class SoftWorld : public BulletWorld {
 public:
     explicit SoftWorld(const BenchWorld& scene) : BulletWorld(scene) {
+        addRoom(scene);
         std::vector<btVector3> points;
         for (const Vec3& vertex : scene.shape->vertices()) {
             points.push_back(bulletOf(vertex));
@@ -155,6 +163,19 @@ public:
     }
 
 private:
+    /// Of boxes: Bullet's soft bodies feel a solid by its distance field, which a plane has none of. They fall through.
+    void addRoom(const BenchWorld& scene) {
+        constexpr double kThick = 20.0;
+        for (const auto& [normal, offset] : roomOf(scene)) {
+            const Vec3 across = glm::abs(normal) * kThick;
+            const Vec3 along = (Vec3(1.0) - glm::abs(normal)) * (2.0 * (scene.half + kThick) + 40.0);
+            shapes_.push_back(std::make_shared<btBoxShape>(bulletOf(0.5 * (across + along))));
+            btTransform place = btTransform::getIdentity();
+            place.setOrigin(bulletOf(normal * (offset - 0.5 * kThick)));
+            addRigid(shapes_.back().get(), 0, place, scene);
+        }
+    }
+
     std::vector<std::unique_ptr<btSoftBody>> soft_;
 };
 
