@@ -96,26 +96,19 @@ void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
     }
 }
 
-void MatrixTable::takeChanges(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity) {
-    in_use_ = true;
-    all_changed_ = all_changed_ || gravity != gravity_;
-    gravity_ = gravity;
-    const std::size_t count = (bodies.size() + kLanes - 1) / kLanes;
-    all_changed_ = all_changed_ || blocks_.size() > count;
-    blocks_.resize(count);
-    matrices_.resize(kFloats * kLanes * count);
-    if (all_changed_ || changed_.size() > bodies.size()) {
-        blocks_.assign(count, Block{});
-        for (std::size_t slot = 0; slot < bodies.size(); ++slot) {
-            take(slot, bodies[slot], t);
-        }
-    } else {
-        for (const std::size_t slot : changed_) {
-            take(slot, bodies[slot], t);
+void MatrixTable::takeChanges(std::size_t index, double t, const std::vector<BodySlot>& bodies) {
+    unsigned char* changed = &changed_[index * kLanes];
+    static constexpr std::array<unsigned char, kLanes> kNone{};
+    if (std::memcmp(changed, kNone.data(), kLanes) == 0) {
+        return;
+    }
+    const std::size_t begin = index * kLanes;
+    for (std::size_t i = 0; i < std::min(kLanes, bodies.size() - begin); ++i) {
+        if (changed[i] == kChanged) {
+            take(begin + i, bodies[begin + i], t);
+            changed[i] = 0;
         }
     }
-    changed_.clear();
-    all_changed_ = false;
 }
 
 MatrixTable::Some MatrixTable::posed(std::size_t index, double t) const {
@@ -189,7 +182,14 @@ void MatrixTable::writeFlights(std::size_t index, double t) {
 
 std::span<const float> MatrixTable::at(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity,
                                        const ParallelFor& parallel_for) {
-    takeChanges(t, bodies, gravity);
+    const std::size_t count = (bodies.size() + kLanes - 1) / kLanes;
+    if (gravity != gravity_) {
+        allChanged();
+    }
+    gravity_ = gravity;
+    blocks_.resize(count);
+    changed_.resize(kLanes * count, kChanged);
+    matrices_.resize(kFloats * kLanes * count);
     // Batches of one kind: what poses are worked out with stays in the nearest cache, and the matrices in the next.
     constexpr std::size_t kBatch = 64;
     const auto writeBlocks = [&](std::size_t begin, std::size_t end) {
@@ -197,6 +197,7 @@ std::span<const float> MatrixTable::at(double t, const std::vector<BodySlot>& bo
         for (std::size_t first = begin; first < end; first += kBatch) {
             const std::size_t last = std::min(end, first + kBatch);
             for (std::size_t i = first; i < last; ++i) {
+                takeChanges(i, t, bodies);
                 writeFlights(i, t);
             }
             for (std::size_t i = first; i < last; ++i) {
@@ -206,9 +207,9 @@ std::span<const float> MatrixTable::at(double t, const std::vector<BodySlot>& bo
         }
     };
     if (parallel_for) {
-        parallel_for(blocks_.size(), writeBlocks);
+        parallel_for(count, writeBlocks);
     } else {
-        writeBlocks(0, blocks_.size());
+        writeBlocks(0, count);
     }
     return std::span<const float>(matrices_).first(kFloats * bodies.size());
 }

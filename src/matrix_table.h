@@ -17,11 +17,16 @@ class MatrixTable {
 public:
     static constexpr std::size_t kFloats = kMatrixFloats;
 
-    /// From the first use on, changes must be told.
-    [[nodiscard]] bool inUse() const { return in_use_; }
-    /// The body in this slot has begun a phase, has come or has gone.
-    void changed(std::size_t slot) { changed_.push_back(static_cast<std::uint32_t>(slot)); }
-    void allChanged() { all_changed_ = true; }
+    /// The body in this slot has begun a phase, has come or has gone. For different slots at the same time, too.
+    void changed(std::size_t slot) {
+        if (slot < changed_.size()) {
+            changed_[slot] = kChanged;
+        }
+    }
+    void allChanged() {
+        changed_.clear();
+        blocks_.clear();
+    }
     /// 12 floats a slot, as they are at time t: the columns of the linear part, then the position; 0 where there is no
     /// body. The same bits as from poseAt().
     std::span<const float> at(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity,
@@ -38,7 +43,7 @@ private:
         Some written = 0; ///< their matrices stay as they are
     };
     void take(std::size_t slot, const BodySlot& body, double t);
-    void takeChanges(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity);
+    void takeChanges(std::size_t index, double t, const std::vector<BodySlot>& bodies);
     /// Those whose pose is asked for, one by one.
     [[nodiscard]] Some posed(std::size_t index, double t) const;
     /// Impacts that are worked out together.
@@ -52,10 +57,11 @@ private:
     void writeImpacts(double t, Impacts& impacts);
     void writePose(std::size_t slot, const BodySlot& body, double t);
 
-    bool in_use_ = false;
-    bool all_changed_ = true;
+    static constexpr unsigned char kChanged = 1;
+
     Vec3 gravity_{0.0}; ///< that of the flights in lanes
-    std::vector<std::uint32_t> changed_;
+    /// By slot, of whole blocks; what has changed is taken when the block is drawn. Empty before the first use.
+    std::vector<unsigned char> changed_;
     std::vector<Block> blocks_;
     std::vector<float> matrices_; ///< of whole blocks
 };

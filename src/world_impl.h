@@ -72,9 +72,7 @@ struct World::Impl {
     void unsettle(std::size_t slot) {
         quiet_until.resize(bodies.size(), kNotQuiet);
         quiet_until[slot] = kNotQuiet;
-        if (matrices.inUse()) {
-            matrices.changed(slot);
-        }
+        matrices.changed(slot);
     }
     void fly(BodyId id, const Vec3& velocity, const std::vector<Left>& lefts);
     void follow(BodyId id, ObstacleId obstacle, const MovingFrame& frame);

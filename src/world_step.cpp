@@ -116,7 +116,11 @@ void World::Impl::advanceBodies(double to) {
                 prefetchRest(bodies[busy[k + kRestAhead]]);
             }
             const std::size_t i = busy[k];
+            const std::size_t phases_before = part.out.phases.size();
             quiet_until[i] = advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
+            if (part.out.phases.size() != phases_before) {
+                matrices.changed(i);
+            }
         }
         part.advanced = busy.size();
         const Lock lock(guard);
@@ -131,11 +135,6 @@ void World::Impl::advanceBodies(double to) {
     }
     for (Part& part : parts) {
         profile.advanced += part.advanced;
-        for (const PhaseBegun& begun : part.out.phases) {
-            if (matrices.inUse()) {
-                matrices.changed(begun.body.slot - 1);
-            }
-        }
         append(events, part.out.events);
         append(phases, part.out.phases);
         spare.push_back(std::move(part.out));
