@@ -17,19 +17,24 @@ double climbOf(const Flight& flight, double elapsed) {
     return flight.climb - flight.pull * elapsed;
 }
 
-} // namespace
+/// A direction in the plane of the parabola, by its parts up and across.
+struct Heading {
+    double up, across;
+};
 
-Heading headingAt(const Flight& flight, double elapsed) {
+/// Direction of the axis as the rule lays it, of any length. Reversal: (v_z^2 + e^2) u + v_z v_h h.
+Heading rawHeadingAt(const Flight& flight, double elapsed) {
     const double climb = climbOf(flight, elapsed);
     const double across = flight.speed_across;
     const double e = flight.reversal_speed;
-    const Heading raw =
-        flight.rule == AxisRule::Reversal ? Heading{climb * climb + e * e, climb * across} : Heading{climb, across};
+    return flight.rule == AxisRule::Reversal ? Heading{climb * climb + e * e, climb * across} : Heading{climb, across};
+}
+
+Heading headingAt(const Flight& flight, double elapsed) {
+    const Heading raw = rawHeadingAt(flight, elapsed);
     const double length = std::sqrt(raw.up * raw.up + raw.across * raw.across);
     return length > 0.0 ? Heading{raw.up / length, raw.across / length} : Heading{1.0, 0.0};
 }
-
-namespace {
 
 Vec3 worldOf(const Flight& flight, const Heading& heading) {
     return flight.up * heading.up + glm::cross(flight.turn_axis, flight.up) * heading.across;
@@ -37,8 +42,11 @@ Vec3 worldOf(const Flight& flight, const Heading& heading) {
 
 /// Rotation in the plane of the parabola from one heading to another, stable up to the half turn.
 Quat turnInPlane(const Flight& flight, const Heading& from, const Heading& to) {
-    const double cosine = from.up * to.up + from.across * to.across;
-    const double sine = from.up * to.across - from.across * to.up;
+    const double dot = from.up * to.up + from.across * to.across;
+    const double cross = from.up * to.across - from.across * to.up;
+    const double inverse = 1.0 / std::sqrt(dot * dot + cross * cross);
+    const double cosine = dot * inverse;
+    const double sine = cross * inverse;
     double half_cosine = 0.0;
     double half_sine = 0.0;
     if (cosine >= 0.0) {
@@ -60,6 +68,23 @@ double stretchAt(const Flight& flight, double speed) {
 
 } // namespace
 
+void completeFlight(Flight& flight) {
+    const double pull = glm::length(flight.gravity);
+    const double speed = glm::length(flight.velocity);
+    flight.pull = pull;
+    flight.up =
+        pull > 0.0 ? -flight.gravity / pull : (speed > 0.0 ? anyAcross(flight.velocity / speed) : Vec3(0.0, 1.0, 0.0));
+    flight.climb = glm::dot(flight.velocity, flight.up);
+    const Vec3 sideways = flight.velocity - flight.up * flight.climb;
+    const double square = glm::dot(sideways, sideways);
+    const bool is_none = square <= kNothingAcross * glm::dot(flight.velocity, flight.velocity);
+    flight.speed_across = is_none ? 0.0 : std::sqrt(square);
+    flight.turn_axis = glm::cross(flight.up, is_none ? anyAcross(flight.up) : sideways * (1.0 / flight.speed_across));
+    flight.rule = flight.speed_across < flight.reversal_speed ? AxisRule::Reversal
+                  : speed > 0.0                               ? AxisRule::Velocity
+                                                              : AxisRule::Fixed;
+}
+
 Flight beginFlight(const Pose& pose, const Vec3& velocity, const Vec3& gravity, const Style& style, Lead lead) {
     Flight flight;
     flight.position = pose.position;
@@ -67,23 +92,8 @@ Flight beginFlight(const Pose& pose, const Vec3& velocity, const Vec3& gravity, 
     flight.gravity = gravity;
     flight.max_stretch = style.max_stretch;
     flight.stretch_rate = style.stretch_rate;
-    const double pull = glm::length(gravity);
-    const double speed = glm::length(velocity);
-    flight.up = pull > 0.0 ? -gravity / pull : (speed > 0.0 ? anyAcross(velocity / speed) : Vec3(0.0, 1.0, 0.0));
-    const Vec3 sideways = velocity - flight.up * glm::dot(velocity, flight.up);
-    flight.speed_across = glm::length(sideways);
-    // A direction across that is pure rounding would turn the body about a random axis: call it none.
-    if (flight.speed_across <= 1e-14 * speed) {
-        flight.speed_across = 0.0;
-    }
-    flight.turn_axis =
-        glm::cross(flight.up, flight.speed_across > 0.0 ? sideways / flight.speed_across : anyAcross(flight.up));
-    flight.climb = glm::dot(velocity, flight.up);
-    flight.pull = pull;
-    flight.reversal_speed = pull / style.reversal_rate;
-    flight.rule = flight.speed_across < flight.reversal_speed ? AxisRule::Reversal
-                  : speed > 0.0                               ? AxisRule::Velocity
-                                                              : AxisRule::Fixed;
+    flight.reversal_speed = glm::length(gravity) / style.reversal_rate;
+    completeFlight(flight);
     flight.orientation = unitOf(pose.orientation);
     if (flight.rule != AxisRule::Fixed) {
         const Vec3 axis = principalAxis(flight.orientation);
@@ -140,8 +150,8 @@ Pose unpushedPose(const Flight& flight, double elapsed) {
     pose.position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
     pose.stretch = stretchAt(flight, glm::length(flightVelocity(flight, elapsed)));
     pose.orientation = flight.orientation;
-    if (flight.rule != AxisRule::Fixed && flight.speed_across > 0.0) {
-        const Quat turn = turnInPlane(flight, headingAt(flight, 0.0), headingAt(flight, elapsed));
+    if (flight.pull > kLeastPull && flight.speed_across > 0.0) {
+        const Quat turn = turnInPlane(flight, rawHeadingAt(flight, 0.0), rawHeadingAt(flight, elapsed));
         pose.orientation = turn * flight.orientation;
     }
     applyEase(*flight.ease, elapsed, pose);

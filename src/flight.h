@@ -16,6 +16,16 @@ enum class Lead : std::uint8_t {
 [[nodiscard]] Flight beginFlight(const Pose& pose, const Vec3& velocity, const Vec3& gravity, const Style& style,
                                  Lead lead);
 
+/// Square of the share of the speed across gravity up to which it is pure rounding: its direction would be a random
+/// one.
+inline constexpr double kNothingAcross = 1e-28;
+
+/// A weaker pull turns no flight, m/s^2.
+inline constexpr double kLeastPull = 1e-12;
+
+/// Works out what follows from a flight's velocity, gravity and reversal speed.
+void completeFlight(Flight& flight);
+
 /// The ease that begins in one form (turn and stretch) and ends in the other.
 [[nodiscard]] Ease easeBetween(const Pose& from, const Pose& to, double span);
 /// Turns and stretches the pose by what is left of the ease.
@@ -23,13 +33,6 @@ void applyEase(const Ease& ease, double elapsed, Pose& pose);
 
 /// Lets the flight begin in this pose (as to turn and stretch) and come to its own within `span` s.
 void easeFrom(Flight& flight, const Pose& pose, double span);
-
-/// A direction in the plane of the parabola, by its parts up and across.
-struct Heading {
-    double up, across;
-};
-/// Direction of the axis as the rule lays it, unit. Reversal: (v_z^2 + e^2) u + v_z v_h h.
-[[nodiscard]] Heading headingAt(const Flight& flight, double elapsed);
 
 [[nodiscard]] Vec3 flightVelocity(const Flight& flight, double elapsed);
 /// Direction in which the leading end points (world, unit); with AxisRule::Fixed, the +x end.

@@ -8,17 +8,18 @@
 
 namespace elastoon {
 
-/// What the poses of flights that need no push and have no ease are made from.
+/// What flights that have no ease are made from, besides the gravity.
 struct FlightLanes {
-    Row start, climb, across, reversal_speed, stretch_rate, max_stretch;
-    Row first_up, first_across; ///< the heading at the start
-    std::array<Row, 3> position, velocity, axis;
-    std::array<Row, 4> orientation; ///< w, x, y, z
+    Row start{}, reversal_speed{}, max_stretch{}, stretch_rate{};
+    std::array<Row, 3> position{}, velocity{};
+    std::array<Row, 4> orientation{}; ///< w, x, y, z
 
-    void set(std::size_t lane, const Phase& phase);
+    void set(std::size_t lane, double began, const Flight& flight);
+    /// The flight that was set, to the bit.
+    [[nodiscard]] Flight get(std::size_t lane, const Vec3& gravity) const;
 };
 
-/// What unpushedPose() and linearOf() do, in the same order.
+/// What completeFlight(), unpushedPose() and linearOf() do, in the same order.
 void poseFlights(const FlightLanes& in, const Vec3& gravity, double t, Columns& out);
 
 } // namespace elastoon

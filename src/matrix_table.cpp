@@ -83,7 +83,7 @@ void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
     poseUntil(kForEver);
     if (const auto* flight = body.phase.as<Flight>(); flight != nullptr && flight->gravity == gravity_) {
         constexpr double kAfter = 1e-9; ///< s, past all doubt of rounding
-        block.lanes.set(lane, body.phase);
+        block.lanes.set(lane, body.phase.start, *flight);
         const Phase& phase = body.phase;
         block.flights |= bit;
         poseUntil(std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
