@@ -40,25 +40,23 @@ Vec3 worldOf(const Flight& flight, const Heading& heading) {
     return flight.up * heading.up + glm::cross(flight.turn_axis, flight.up) * heading.across;
 }
 
-/// Rotation in the plane of the parabola from one heading to another, stable up to the half turn.
-Quat turnInPlane(const Flight& flight, const Heading& from, const Heading& to) {
-    const double dot = from.up * to.up + from.across * to.across;
-    const double cross = from.up * to.across - from.across * to.up;
-    const double inverse = 1.0 / std::sqrt(dot * dot + cross * cross);
-    const double cosine = dot * inverse;
-    const double sine = cross * inverse;
-    double half_cosine = 0.0;
-    double half_sine = 0.0;
-    if (cosine >= 0.0) {
-        half_cosine = std::sqrt(0.5 * (1.0 + cosine));
-        half_sine = 0.5 * sine / half_cosine;
-    } else {
-        half_sine = std::sqrt(0.5 * (1.0 - cosine));
-        half_sine = sine < 0.0 ? -half_sine : half_sine;
-        half_cosine = 0.5 * sine / half_sine;
-    }
-    const Vec3 axis = flight.turn_axis * half_sine;
-    return {half_cosine, axis.x, axis.y, axis.z};
+/// The turn from straight up to the heading, in the plane of the parabola; stable up to straight down.
+Quat turnFromUp(const Flight& flight, double elapsed) {
+    const Heading raw = rawHeadingAt(flight, elapsed);
+    const double inverse = 1.0 / std::sqrt(raw.up * raw.up + raw.across * raw.across);
+    const double cosine = raw.up * inverse;
+    const double sine = raw.across * inverse;
+    const double larger = std::sqrt(0.5 * (1.0 + std::fabs(cosine)));
+    const double smaller = 0.5 * sine / larger;
+    const bool acute = cosine >= 0.0;
+    const Vec3 axis = flight.turn_axis * (acute ? smaller : larger);
+    return {acute ? larger : smaller, axis.x, axis.y, axis.z};
+}
+
+/// Its speed squared is that up and that across: what is across stays.
+double speedAt(const Flight& flight, double elapsed) {
+    const double climb = climbOf(flight, elapsed);
+    return std::sqrt(climb * climb + flight.speed_across * flight.speed_across);
 }
 
 double stretchAt(const Flight& flight, double speed) {
@@ -69,15 +67,19 @@ double stretchAt(const Flight& flight, double speed) {
 } // namespace
 
 void completeFlight(Flight& flight) {
-    const double pull = glm::length(flight.gravity);
     const double speed = glm::length(flight.velocity);
-    flight.pull = pull;
-    flight.up =
-        pull > 0.0 ? -flight.gravity / pull : (speed > 0.0 ? anyAcross(flight.velocity / speed) : Vec3(0.0, 1.0, 0.0));
-    flight.climb = glm::dot(flight.velocity, flight.up);
+    flight.pull = glm::length(flight.gravity);
+    if (flight.pull <= kLeastPull) {
+        flight.gravity = Vec3(0.0);
+        flight.pull = 0.0;
+    }
+    const bool falls = flight.pull > 0.0;
+    flight.up = falls ? -flight.gravity / flight.pull
+                      : (speed > 0.0 ? anyAcross(flight.velocity / speed) : Vec3(0.0, 1.0, 0.0));
+    flight.climb = falls ? glm::dot(flight.velocity, flight.up) : 0.0;
     const Vec3 sideways = flight.velocity - flight.up * flight.climb;
     const double square = glm::dot(sideways, sideways);
-    const bool is_none = square <= kNothingAcross * glm::dot(flight.velocity, flight.velocity);
+    const bool is_none = square <= kNothingAcross * (flight.climb * flight.climb);
     flight.speed_across = is_none ? 0.0 : std::sqrt(square);
     flight.turn_axis = glm::cross(flight.up, is_none ? anyAcross(flight.up) : sideways * (1.0 / flight.speed_across));
     flight.rule = flight.speed_across < flight.reversal_speed ? AxisRule::Reversal
@@ -101,7 +103,11 @@ Flight beginFlight(const Pose& pose, const Vec3& velocity, const Vec3& gravity, 
         if (lead == Lead::Nearest && glm::dot(axis, target) < 0.0) {
             target = -target;
         }
-        flight.orientation = unitOf(rotationBetween(axis, target) * flight.orientation);
+        flight.orientation = rotationBetween(axis, target) * flight.orientation;
+        if (flight.pull > 0.0) {
+            flight.orientation = glm::conjugate(turnFromUp(flight, 0.0)) * flight.orientation;
+        }
+        flight.orientation = unitOf(flight.orientation);
     }
     return flight;
 }
@@ -148,12 +154,8 @@ Vec3 leadingAxis(const Flight& flight, double elapsed) {
 Pose unpushedPose(const Flight& flight, double elapsed) {
     Pose pose;
     pose.position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
-    pose.stretch = stretchAt(flight, glm::length(flightVelocity(flight, elapsed)));
-    pose.orientation = flight.orientation;
-    if (flight.pull > kLeastPull && flight.speed_across > 0.0) {
-        const Quat turn = turnInPlane(flight, rawHeadingAt(flight, 0.0), rawHeadingAt(flight, elapsed));
-        pose.orientation = turn * flight.orientation;
-    }
+    pose.stretch = stretchAt(flight, speedAt(flight, elapsed));
+    pose.orientation = flight.pull > 0.0 ? turnFromUp(flight, elapsed) * flight.orientation : flight.orientation;
     applyEase(*flight.ease, elapsed, pose);
     return pose;
 }

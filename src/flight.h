@@ -20,7 +20,7 @@ enum class Lead : std::uint8_t {
 /// one.
 inline constexpr double kNothingAcross = 1e-28;
 
-/// A weaker pull turns no flight, m/s^2.
+/// A weaker pull is none, m/s^2: squares of what follows from it would be nothing.
 inline constexpr double kLeastPull = 1e-12;
 
 /// Works out what follows from a flight's velocity, gravity and reversal speed.

@@ -2,7 +2,6 @@
 #include "matrix_table.h"
 
 #include "flight.h"
-#include "prefetch.h"
 
 #include <algorithm>
 #include <bit>
@@ -46,6 +45,14 @@ void writeOne(const Columns& columns, std::size_t lane, float* out) {
     }
 }
 
+/// Calls what(slot) for each bit, from `begin` on.
+template <class What>
+void forEach(std::uint32_t some, std::size_t begin, What&& what) {
+    for (; some != 0; some &= some - 1) {
+        what(begin + static_cast<std::size_t>(std::countr_zero(some)));
+    }
+}
+
 } // namespace
 
 void MatrixTable::writePose(std::size_t slot, const BodySlot& body, double t) {
@@ -60,55 +67,98 @@ void MatrixTable::writePose(std::size_t slot, const BodySlot& body, double t) {
     }
 }
 
-void MatrixTable::take(std::size_t slot, const BodySlot& body, double t) {
+namespace {
+
+/// From then on a flight is on its own way.
+double freeAt(const Phase& phase) {
+    return phase.clear_of.empty() ? phase.start : phase.free_from;
+}
+
+} // namespace
+
+Flight MatrixTable::flight(std::size_t slot) const {
+    Flight flight;
+    blocks_[slot / kLanes].lanes.get(slot % kLanes, gravity_, flight);
+    return flight;
+}
+
+bool MatrixTable::giveBack(std::size_t slot, Phase& phase) const {
+    const bool taken = isTaken(phase);
+    if (taken) {
+        auto& flight = phase.motion.emplace<Boxed<Flight>>(Flight{});
+        blocks_[slot / kLanes].lanes.get(slot % kLanes, gravity_, *flight);
+    }
+    return taken;
+}
+
+bool MatrixTable::canBeTaken(const Phase& phase) {
+    return phase.is<Flight>() && !isTaken(phase) && phase.get<Flight>().ease.isUsual();
+}
+
+void MatrixTable::begun(std::size_t slot, Phase& phase, double t) {
+    if (slot >= changed_.size()) {
+        return;
+    }
+    changed_[slot] = kChanged;
+    // Where gravity is another since, the lanes are emptied when they are drawn.
+    if (canBeTaken(phase) && t >= freeAt(phase) && phase.get<Flight>().gravity == gravity_) {
+        blocks_[slot / kLanes].lanes.set(slot % kLanes, phase.start, phase.get<Flight>());
+        takeAgain(phase);
+    }
+}
+
+/// Finds out how the body is to be drawn from now on.
+void MatrixTable::look(std::size_t slot, const BodySlot& body, double t) {
     constexpr double kForEver = std::numeric_limits<double>::infinity();
     Block& block = blocks_[slot / kLanes];
     const std::size_t lane = slot % kLanes;
     const Some bit = Some{1} << lane;
-    block.flights &= ~bit;
+    block.taken &= ~bit;
+    block.to_take &= ~bit;
     block.written &= ~bit;
-    const auto poseUntil = [&](double until) {
-        block.posed_until[lane] = until;
-        block.any_posed_until = *std::max_element(block.posed_until.begin(), block.posed_until.end());
-    };
-    const auto leave = [&] {
-        block.written |= bit;
-        poseUntil(-kForEver);
-    };
+    double posed_until = kForEver;
+    const Phase& phase = body.phase;
     if (!body.used) {
-        leave();
         std::fill_n(&matrices_[kFloats * slot], kFloats, 0.0F);
-        return;
+        block.written |= bit;
+        posed_until = -kForEver;
+    } else if (isTaken(phase)) {
+        block.taken |= bit;
+        posed_until = -kForEver;
+    } else if (canBeTaken(phase)) {
+        block.to_take |= bit;
+        posed_until = freeAt(phase);
+    } else if (const auto* rest = phase.as<Rest>();
+               rest != nullptr && !rest->surface.frame.moves() && phase.clear_of.empty()) {
+        writePose(slot, body, t);
+        block.written |= bit;
+        posed_until = -kForEver;
     }
-    poseUntil(kForEver);
-    if (const auto* flight = body.phase.as<Flight>(); flight != nullptr && flight->gravity == gravity_) {
-        constexpr double kAfter = 1e-9; ///< s, past all doubt of rounding
-        block.lanes.set(lane, body.phase.start, *flight);
-        const Phase& phase = body.phase;
-        block.flights |= bit;
-        poseUntil(std::max(phase.clear_of.empty() ? phase.start : phase.free_from,
-                           flight->ease->span > 0.0 ? phase.start + flight->ease->span + kAfter : phase.start));
-    } else if (const auto* rest = body.phase.as<Rest>()) {
-        if (!rest->surface.frame.moves() && body.phase.clear_of.empty()) {
-            writePose(slot, body, t);
-            leave();
-        }
-    }
+    block.posed_until[lane] = posed_until;
+    block.any_posed_until = *std::max_element(block.posed_until.begin(), block.posed_until.end());
 }
 
-void MatrixTable::takeChanges(std::size_t index, double t, const std::vector<BodySlot>& bodies) {
-    unsigned char* changed = &changed_[index * kLanes];
-    static constexpr std::array<unsigned char, kLanes> kNone{};
-    if (std::memcmp(changed, kNone.data(), kLanes) == 0) {
-        return;
-    }
+void MatrixTable::takeFlights(std::size_t index, double t, std::vector<BodySlot>& bodies) {
     const std::size_t begin = index * kLanes;
-    for (std::size_t i = 0; i < std::min(kLanes, bodies.size() - begin); ++i) {
-        if (changed[i] == kChanged) {
-            take(begin + i, bodies[begin + i], t);
-            changed[i] = 0;
+    unsigned char* changed = &changed_[begin];
+    static constexpr std::array<unsigned char, kLanes> kNone{};
+    if (std::memcmp(changed, kNone.data(), kLanes) != 0) {
+        for (std::size_t i = 0; i < std::min(kLanes, bodies.size() - begin); ++i) {
+            if (changed[i] == kChanged) {
+                look(begin + i, bodies[begin + i], t);
+                changed[i] = 0;
+            }
         }
     }
+    Block& block = blocks_[index];
+    const Some ripe = block.to_take == 0 ? 0 : block.to_take & ~posed(index, t);
+    block.to_take &= ~ripe;
+    block.taken |= ripe;
+    forEach(ripe, begin, [&](std::size_t slot) {
+        Phase& phase = bodies[slot].phase;
+        block.lanes.set(slot - begin, phase.start, phase.get<Flight>());
+        takeAgain(phase);
+    });
 }
 
 MatrixTable::Some MatrixTable::posed(std::size_t index, double t) const {
@@ -122,22 +172,10 @@ MatrixTable::Some MatrixTable::posed(std::size_t index, double t) const {
     return found;
 }
 
-namespace {
-
-/// Calls what(slot) for each bit of a block's.
-template <class What>
-void forEach(std::uint32_t some, std::size_t index, What&& what) {
-    for (; some != 0; some &= some - 1) {
-        what(index * kLanes + static_cast<std::size_t>(std::countr_zero(some)));
-    }
-}
-
-} // namespace
-
 void MatrixTable::writePosed(std::size_t index, double t, const std::vector<BodySlot>& bodies, Impacts& impacts) {
-    forEach(posed(index + 4, t), index + 4, [&](std::size_t slot) { prefetchSlot(bodies[slot]); });
-    forEach(posed(index + 2, t), index + 2, [&](std::size_t slot) { prefetchRest(bodies[slot]); });
-    forEach(posed(index, t), index, [&](std::size_t slot) {
+    forEach(posed(index + 4, t), (index + 4) * kLanes, [&](std::size_t slot) { prefetchSlot(bodies[slot]); });
+    forEach(posed(index + 2, t), (index + 2) * kLanes, [&](std::size_t slot) { prefetchRest(bodies[slot]); });
+    forEach(posed(index, t), index * kLanes, [&](std::size_t slot) {
         const BodySlot& body = bodies[slot];
         if (!ImpactLanes::fits(body.phase)) {
             writePose(slot, body, t);
@@ -163,24 +201,23 @@ void MatrixTable::writeImpacts(double t, Impacts& impacts) {
     impacts.count = 0;
 }
 
-/// Of those that are posed something is written too: their own matrices come after.
 void MatrixTable::writeFlights(std::size_t index, double t) {
     const Block& block = blocks_[index];
-    const Some flights = block.flights & ~posed(index, t);
-    if (flights == 0) {
+    if (block.taken == 0) {
         return;
     }
     Columns columns;
     poseFlights(block.lanes, gravity_, t, columns);
     float* out = &matrices_[kFloats * kLanes * index];
     if (block.written == 0) {
+        // Of those that are posed something is written too: their own matrices come after.
         writeAll(columns, out);
         return;
     }
-    forEach(flights, 0, [&](std::size_t lane) { writeOne(columns, lane, out + kFloats * lane); });
+    forEach(block.taken, 0, [&](std::size_t lane) { writeOne(columns, lane, out + kFloats * lane); });
 }
 
-std::span<const float> MatrixTable::at(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity,
+std::span<const float> MatrixTable::at(double t, std::vector<BodySlot>& bodies, const Vec3& gravity,
                                        const ParallelFor& parallel_for) {
     const std::size_t count = (bodies.size() + kLanes - 1) / kLanes;
     if (gravity != gravity_) {
@@ -197,7 +234,7 @@ std::span<const float> MatrixTable::at(double t, const std::vector<BodySlot>& bo
         for (std::size_t first = begin; first < end; first += kBatch) {
             const std::size_t last = std::min(end, first + kBatch);
             for (std::size_t i = first; i < last; ++i) {
-                takeChanges(i, t, bodies);
+                takeFlights(i, t, bodies);
                 writeFlights(i, t);
             }
             for (std::size_t i = first; i < last; ++i) {

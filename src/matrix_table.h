@@ -4,6 +4,7 @@
 
 #include "flight_lanes.h"
 #include "impact_lanes.h"
+#include "prefetch.h"
 #include "step.h"
 
 #include <array>
@@ -13,6 +14,8 @@
 
 namespace elastoon {
 
+/// It draws flights from lanes, and takes them out of their phases for that, as soon as they need no push: a flight
+/// that is taken is in its lane alone, and who reads the phase asks for it. One that has an ease is not taken.
 class MatrixTable {
 public:
     static constexpr std::size_t kFloats = kMatrixFloats;
@@ -23,14 +26,35 @@ public:
             changed_[slot] = kChanged;
         }
     }
+    /// All bodies are others. None of their flights is taken.
     void allChanged() {
         changed_.clear();
         blocks_.clear();
     }
     /// 12 floats a slot, as they are at time t: the columns of the linear part, then the position; 0 where there is no
-    /// body. The same bits as from poseAt().
-    std::span<const float> at(double t, const std::vector<BodySlot>& bodies, const Vec3& gravity,
+    /// body. The same bits as from poseAt(). All flights have this gravity.
+    std::span<const float> at(double t, std::vector<BodySlot>& bodies, const Vec3& gravity,
                               const ParallelFor& parallel_for);
+
+    [[nodiscard]] static bool isTaken(const Phase& phase) {
+        const auto* flight = std::get_if<Boxed<Flight>>(&phase.motion);
+        return flight != nullptr && flight->isUsual();
+    }
+    /// The flight that was taken out of the phase of the body in this slot.
+    [[nodiscard]] Flight flight(std::size_t slot) const;
+    /// Puts it back; false where it was not taken. For different slots at the same time, too.
+    bool giveBack(std::size_t slot, Phase& phase) const;
+    /// The phase, of which the flight was given back, is as it was.
+    static void takeAgain(Phase& phase) { phase.motion = Boxed<Flight>{}; }
+    /// The body has begun this phase, or changed it. Takes a flight that needs no push from time t on.
+    void begun(std::size_t slot, Phase& phase, double t);
+    /// What giveBack() will read.
+    void prefetchFlight(std::size_t slot) const {
+        if (slot / kLanes < blocks_.size()) {
+            prefetch(&blocks_[slot / kLanes].lanes.eights[slot % kLanes / FlightLanes::kTogether],
+                     sizeof(FlightLanes::Eight));
+        }
+    }
 
 private:
     /// Of a block's bodies, a bit for each.
@@ -39,11 +63,13 @@ private:
         FlightLanes lanes{};
         std::array<double, kLanes> posed_until{}; ///< before it, by poseAt()
         double any_posed_until = 0.0; ///< the latest of them
-        Some flights = 0; ///< in lanes, from `posed_until` on
+        Some to_take = 0; ///< flights, at `posed_until`
+        Some taken = 0;
         Some written = 0; ///< their matrices stay as they are
     };
-    void take(std::size_t slot, const BodySlot& body, double t);
-    void takeChanges(std::size_t index, double t, const std::vector<BodySlot>& bodies);
+    [[nodiscard]] static bool canBeTaken(const Phase& phase);
+    void look(std::size_t slot, const BodySlot& body, double t);
+    void takeFlights(std::size_t index, double t, std::vector<BodySlot>& bodies);
     /// Those whose pose is asked for, one by one.
     [[nodiscard]] Some posed(std::size_t index, double t) const;
     /// Impacts that are worked out together.
@@ -60,7 +86,7 @@ private:
     static constexpr unsigned char kChanged = 1;
 
     Vec3 gravity_{0.0}; ///< that of the flights in lanes
-    /// By slot, of whole blocks; what has changed is taken when the block is drawn. Empty before the first use.
+    /// By slot, of whole blocks; what has changed is looked at when the block is drawn. Empty before the first use.
     std::vector<unsigned char> changed_;
     std::vector<Block> blocks_;
     std::vector<float> matrices_; ///< of whole blocks

@@ -15,7 +15,7 @@ namespace elastoon {
 
 namespace {
 
-constexpr Envelope kEnvelope{"ELASTOON", 1, "snapshot"};
+constexpr Envelope kEnvelope{"ELASTOON", 2, "snapshot"};
 constexpr std::uint32_t kWithShapes = 1;
 
 Error unsound(const std::string& where, const std::string& what) {
@@ -47,7 +47,7 @@ namespace {
 void writePlan(StateWriter& writer, const Plan& plan) {
     writer(plan.looked_until, plan.time, plan.window, plan.version, plan.kind, plan.meets());
     if (plan.meets()) {
-        writer(plan.obstacle, plan.on_solid, plan.point, plan.normal);
+        writer(plan.obstacle, plan.on_solid, plan.place->point, plan.place->normal);
     }
 }
 
@@ -86,7 +86,8 @@ const char* readPlan(StateReader& reader, Plan& plan, const Phase& phase, const 
     if (!meets) {
         return nullptr;
     }
-    reader(plan.obstacle, plan.on_solid, plan.point, plan.normal);
+    Place place;
+    reader(plan.obstacle, plan.on_solid, place.point, place.normal);
     if (!reader.good()) {
         return nullptr;
     }
@@ -94,10 +95,11 @@ const char* readPlan(StateReader& reader, Plan& plan, const Phase& phase, const 
         return "what a body meets next must be an obstacle";
     }
     const ObstacleSlot& obstacle = obstacles[plan.obstacle];
-    if (plan.on_solid && obstacle.isPlane()) {
-        return "what a body meets next must be the obstacle's own surface";
+    if (obstacle.isPlane()) {
+        return plan.on_solid ? "what a body meets next must be the obstacle's own surface" : nullptr;
     }
-    return flawOf(Surface{obstacle.frame, plan.point, plan.normal, plan.on_solid ? obstacle.shape : nullptr});
+    plan.place = place;
+    return flawOf(Surface{obstacle.frame, place.point, place.normal, plan.on_solid ? obstacle.shape : nullptr});
 }
 
 template <class List>
@@ -365,8 +367,14 @@ void World::snapshotInto(std::vector<std::byte>& out_bytes, const SnapshotOption
     writeNumbers(writer, impl.free_bodies);
     writeList(writer, impl.around.obstacles);
     writer.sized(impl.bodies, kSlotBytes);
-    for (const BodySlot& body : impl.bodies) {
-        fields(writer, body);
+    for (std::size_t i = 0; i < impl.bodies.size(); ++i) {
+        const BodySlot& body = impl.bodies[i];
+        if (body.used && MatrixTable::isTaken(body.phase)) {
+            const BodySlot whole = impl.bodyIn(i);
+            fields(writer, whole);
+        } else {
+            fields(writer, body);
+        }
         if (body.used) {
             // A plan that is out of date is made anew.
             writePlan(writer, body.plan.version == impl.around.version ? body.plan : Plan{});

@@ -4,6 +4,7 @@
 #include "byte_stream.h"
 #include "elastoon/phase.h"
 #include "elastoon/world.h"
+#include "flight.h"
 #include "path.h"
 #include "step.h"
 
@@ -100,23 +101,25 @@ void fields(Stream& stream, Of<Ease> auto& ease) {
 }
 
 template <class Stream>
-void fields(Stream& stream, const Seldom<Ease>& ease) {
+void fields(Stream& stream, const Boxed<Ease>& ease) {
     fields(stream, *ease);
 }
 
 template <class Stream>
-void fields(Stream& stream, Seldom<Ease>& ease) {
+void fields(Stream& stream, Boxed<Ease>& ease) {
     Ease read;
     fields(stream, read);
-    ease = read;
+    ease = read == Ease{} ? Boxed<Ease>{} : Boxed<Ease>(read);
 }
 
 template <class Stream>
 void fields(Stream& stream, Of<Flight> auto& flight) {
-    stream(flight.position, flight.velocity, flight.gravity, flight.orientation, flight.up, flight.turn_axis,
-           flight.climb, flight.pull, flight.speed_across, flight.reversal_speed, flight.max_stretch,
-           flight.stretch_rate, flight.rule);
+    stream(flight.position, flight.velocity, flight.gravity, flight.orientation, flight.reversal_speed,
+           flight.max_stretch, flight.stretch_rate);
     fields(stream, flight.ease);
+    if constexpr (!std::is_const_v<std::remove_reference_t<decltype(flight)>>) {
+        completeFlight(flight);
+    }
 }
 
 template <class Stream>
@@ -142,19 +145,17 @@ void fields(Stream& stream, Of<Slide> auto& slide) {
     fields(stream, slide.ease);
 }
 
-template <class Stream>
-void fields(Stream& stream, Of<Boxed<Impact>> auto& impact) {
-    fields(stream, *impact);
+template <class Stream, class T>
+void fields(Stream& stream, const Boxed<T>& boxed) {
+    fields(stream, *boxed);
 }
 
-template <class Stream>
-void fields(Stream& stream, Of<Boxed<Rest>> auto& rest) {
-    fields(stream, *rest);
-}
-
-template <class Stream>
-void fields(Stream& stream, Of<Boxed<Slide>> auto& slide) {
-    fields(stream, *slide);
+template <class Stream, class T>
+void fields(Stream& stream, Boxed<T>& boxed) {
+    if (boxed.isUsual()) {
+        boxed = T{};
+    }
+    fields(stream, *boxed);
 }
 
 template <class Stream>

@@ -154,7 +154,9 @@ double pressLetsGo(const BodySlot& body, double from, double to) {
 Plan nextEvent(const Surroundings& around, const BodySlot& body, double from, double to) {
     Plan plan;
     const auto meet = [&](const Met& met) {
-        plan.meet(met);
+        if (met.time < kNever) {
+            plan.meet(met, around.obstacles[met.obstacle]);
+        }
         return plan.meets();
     };
     const auto otherwise = [&](double time, Plan::Kind kind) {
@@ -199,9 +201,12 @@ void planAhead(const Surroundings& around, BodySlot& body, double from) {
     if (rest != nullptr && !rest->surface.frame.moves() && !around.anyMoves() && body.phase.clear_of.empty()) {
         ahead = kNever;
     }
-    // What was left long ago takes no more room: it takes as much as the flight itself.
+    // What was left long ago, and an ease that is over, take no more room.
     if (!body.phase.clear_of.empty() && hasLeftAll(body.phase, begin)) {
         std::vector<KeptClear>().swap(body.phase.clear_of);
+    }
+    if (auto* flight = body.phase.as<Flight>(); flight != nullptr && begin >= start + flight->ease->span) {
+        flight->ease = {};
     }
     body.plan = nextEvent(around, body, begin, ahead);
     if (body.plan.time < from) {
@@ -250,19 +255,22 @@ void carryOut(const Plan& plan, const Surroundings& around, const BodySlot& body
 
 } // namespace
 
-void Plan::meet(const Met& met) {
+void Plan::meet(const Met& met, const ObstacleSlot& slot) {
     kind = Kind::Meet;
     time = met.time;
     obstacle = static_cast<std::uint32_t>(met.obstacle);
     on_solid = met.surface.solid != nullptr;
-    point = met.surface.point;
-    normal = met.surface.normal;
+    place = slot.isPlane() ? Boxed<Place>() : Place{met.surface.point, met.surface.normal};
 }
 
 Met metOf(const Plan& plan, const Surroundings& around) {
     const ObstacleSlot& obstacle = around.obstacles[plan.obstacle];
-    return {
-        plan.time, plan.obstacle, {obstacle.frame, plan.point, plan.normal, plan.on_solid ? obstacle.shape : nullptr}};
+    if (obstacle.isPlane()) {
+        return {plan.time, plan.obstacle, obstacle.surface()};
+    }
+    const Surface surface{obstacle.frame, plan.place->point, plan.place->normal,
+                          plan.on_solid ? obstacle.shape : nullptr};
+    return {plan.time, plan.obstacle, surface};
 }
 
 double advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out) {

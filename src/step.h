@@ -39,11 +39,18 @@ private:
     std::shared_ptr<const Style> style_;
 };
 
+struct ObstacleSlot;
+
 /// A touch, and whose surface it is.
 struct Met {
     double time = std::numeric_limits<double>::infinity();
     std::size_t obstacle = 0; ///< slot
     Surface surface;
+};
+
+/// Where a surface is in its obstacle's frame, as Surface has it.
+struct Place {
+    Vec3 point{0.0}, normal{0.0, 1.0, 0.0};
 };
 
 /// The next event of a body, looked up ahead of the step: it holds as long as the phase goes on and the surroundings
@@ -54,15 +61,14 @@ struct Plan {
     double time = std::numeric_limits<double>::infinity();
     double window = 0.0; ///< the phase's time is looked at in windows of kAhead: which of them
     std::uint32_t version = 0; ///< of the surroundings
+    std::uint32_t obstacle = 0; ///< of Meet: its slot
     Kind kind = Kind::Meet;
-    /// Of Meet: what the obstacle does not know itself of the surface that is met.
-    bool on_solid = false; ///< the surface has the obstacle's solid below it
-    std::uint32_t obstacle = 0; ///< slot
-    Vec3 point{0.0}, normal{0.0, 1.0, 0.0}; ///< in the obstacle's frame
+    bool on_solid = false; ///< of Meet: the surface has the obstacle's solid below it
+    Boxed<Place> place; ///< of Meet with a solid: where the surface is
 
     [[nodiscard]] bool meets() const { return kind == Kind::Meet && time < std::numeric_limits<double>::infinity(); }
-    /// What has been found to be met, in the obstacle's own frame, comes next.
-    void meet(const Met& met);
+    /// What has been found to be met, in the obstacle's own frame, comes next. Of a plane it is the plane itself.
+    void meet(const Met& met, const ObstacleSlot& obstacle);
 };
 
 struct BodySlot {

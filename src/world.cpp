@@ -116,6 +116,26 @@ Error overlapError(const Overlap& overlap) {
             "position"};
 }
 
+BodySlot World::Impl::bodyIn(std::size_t slot) const {
+    BodySlot body = bodies[slot];
+    if (MatrixTable::isTaken(body.phase)) {
+        body.phase.motion = matrices.flight(slot);
+    }
+    return body;
+}
+
+Pose World::Impl::poseIn(std::size_t slot) const {
+    const BodySlot& body = bodies[slot];
+    return MatrixTable::isTaken(body.phase) ? unpushedPose(matrices.flight(slot), time - body.phase.start)
+                                            : poseAt(body.phase, *body.shape, time);
+}
+
+Vec3 World::Impl::velocityIn(std::size_t slot) const {
+    const BodySlot& body = bodies[slot];
+    return MatrixTable::isTaken(body.phase) ? flightVelocity(matrices.flight(slot), time - body.phase.start)
+                                            : velocityAt(body.phase, *body.shape, time);
+}
+
 namespace {
 
 /// How a body of this definition would begin: turned to its heading, stretched by its speed.
@@ -146,7 +166,8 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     slot.style = def.style;
     slot.user_data = def.user_data;
     const BodyId id = idOfBody(index, slot);
-    impl_->now(id).fly(pose, def.velocity, Lead::PlusX);
+    impl_->unsettle(index);
+    Moment(impl_->around, slot, id, impl_->time, impl_->pending).fly(pose, def.velocity, Lead::PlusX);
     return id;
 }
 
@@ -232,17 +253,18 @@ Prediction World::predict(BodyId id, double horizon) const {
     const bool valid = horizon >= 0.0 && horizon <= kMostStep;
     ELASTOON_ASSERT(valid, "horizon must be finite, not negative, and at most 1e6 s");
     Prediction prediction;
-    prediction.phases.push_back(impl_->known(id).phase);
+    impl_->known(id);
+    BodySlot body = impl_->bodyIn(id.slot - 1);
+    prediction.phases.push_back(body.phase);
     Happenings ahead;
     if (valid && !impl_->around.anyMoves()) {
-        BodySlot body = impl_->known(id);
         advanceBody(impl_->around, body, id, impl_->time, impl_->time + horizon, ahead);
     } else if (valid) {
         // What moves must be told of the time ahead: in a world of its own, with this body alone.
         Impl alone;
         alone.around = impl_->around;
         alone.time = impl_->time;
-        alone.bodies.push_back(impl_->known(id));
+        alone.bodies.push_back(std::move(body));
         alone.unsettle(0);
         alone.advance(impl_->time + horizon);
         ahead = {std::move(alone.events), std::move(alone.phases)};
@@ -274,8 +296,8 @@ std::span<const PhaseBegun> World::phasesBegun() const {
 }
 
 Pose World::pose(BodyId id) const {
-    const BodySlot& body = impl_->known(id);
-    return poseAt(body.phase, *body.shape, impl_->time);
+    impl_->known(id);
+    return impl_->poseIn(id.slot - 1);
 }
 
 const StepProfile& World::profile() const {
@@ -288,12 +310,13 @@ std::span<const float> World::matrices() {
 }
 
 Vec3 World::velocity(BodyId id) const {
-    const BodySlot& body = impl_->known(id);
-    return velocityAt(body.phase, *body.shape, impl_->time);
+    impl_->known(id);
+    return impl_->velocityIn(id.slot - 1);
 }
 
-const Phase& World::phase(BodyId id) const {
-    return impl_->known(id).phase;
+Phase World::phase(BodyId id) const {
+    impl_->known(id);
+    return impl_->bodyIn(id.slot - 1).phase;
 }
 
 const ShapePtr& World::shape(BodyId id) const {
@@ -335,8 +358,8 @@ std::uint64_t World::stateHash() const {
         hash.add(std::uint64_t{body.generation} << 32 | (i + 1));
         hash.add(std::uint64_t{body.phase.motion.index()});
         hash.add(body.phase.start);
-        const Pose pose = poseAt(body.phase, *body.shape, impl_->time);
-        const Vec3 velocity = velocityAt(body.phase, *body.shape, impl_->time);
+        const Pose pose = impl_->poseIn(i);
+        const Vec3 velocity = impl_->velocityIn(i);
         for (int axis = 0; axis < 3; ++axis) {
             hash.add(pose.position[axis]);
             hash.add(velocity[axis]);

@@ -26,7 +26,7 @@ void World::Impl::letGo(BodyId id, ObstacleId obstacle) {
         now(id).recover();
     } else if (near) {
         // The push goes on as it was, or the body would jump; but it may meet the obstacle elsewhere.
-        Phase phase = body.phase;
+        Phase phase = whole(id.slot - 1).phase;
         for (KeptClear& kept : phase.clear_of) {
             kept.obstacle = isOfIt(kept) ? ObstacleId{} : kept.obstacle;
         }
@@ -43,7 +43,7 @@ void World::Impl::letGo(BodyId id, ObstacleId obstacle) {
 /// The body flies on from its present pose; the stretch and axis become those of the velocity: at once if there is
 /// room, else by and by.
 void World::Impl::fly(BodyId id, const Vec3& velocity, const std::vector<Left>& lefts) {
-    const BodySlot& body = *find(id);
+    const BodySlot& body = whole(id.slot - 1);
     const Pose pose = poseAt(body.phase, *body.shape, time);
     now(id).fly(pose, velocity, Lead::Nearest, lefts);
     if (overlap(*body.shape, poseAt(body.phase, *body.shape, time))) {
@@ -60,8 +60,8 @@ Status World::setPosition(BodyId id, const Vec3& position) {
     if (auto error = checkVector(position, kMostPosition, "position")) {
         return *error;
     }
-    const Vec3 velocity = velocityAt(body->phase, *body->shape, impl_->time);
-    Pose pose = poseAt(body->phase, *body->shape, impl_->time);
+    const Vec3 velocity = impl_->velocityIn(id.slot - 1);
+    Pose pose = impl_->poseIn(id.slot - 1);
     pose.position = position;
     const Flight flight = beginFlight(pose, velocity, impl_->around.gravity, body->style, Lead::Nearest);
     if (const auto overlap = impl_->overlap(*body->shape, unpushedPose(flight, 0.0))) {
@@ -113,7 +113,7 @@ Status World::setStyle(BodyId id, const Style& style) {
     }
     body->style = style;
     if (body->phase.is<Flight>()) {
-        impl_->fly(id, velocityAt(body->phase, *body->shape, impl_->time), impl_->now(id).held());
+        impl_->fly(id, impl_->velocityIn(id.slot - 1), impl_->now(id).held());
     }
     return success();
 }
@@ -121,6 +121,11 @@ Status World::setStyle(BodyId id, const Style& style) {
 Status World::setGravity(const Vec3& gravity) {
     if (auto error = checkVector(gravity, kMostGravity, "gravity")) {
         return *error;
+    }
+    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+        if (impl_->bodies[i].used) {
+            (void)impl_->whole(i);
+        }
     }
     impl_->around.gravity = gravity;
     for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
@@ -139,21 +144,18 @@ Status World::setGravity(const Vec3& gravity) {
 
 /// The obstacle goes on otherwise: so does what is on it.
 void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& frame) {
-    BodySlot& body = *find(id);
-    if (hasLeftAll(body.phase, time)) {
+    const Phase& before = find(id)->phase;
+    const auto isOfIt = [&](const KeptClear& kept) { return kept.obstacle == obstacle; };
+    const bool flies = before.is<Flight>();
+    const bool concerns =
+        (!flies && before.obstacle == obstacle) || std::any_of(before.clear_of.begin(), before.clear_of.end(), isOfIt);
+    if (!concerns || hasLeftAll(before, time)) {
         return;
     }
+    BodySlot& body = whole(id.slot - 1);
     Phase phase = body.phase;
-    bool concerns = false;
     for (KeptClear& kept : phase.clear_of) {
-        if (kept.obstacle == obstacle) {
-            kept.surface.frame = frame;
-            concerns = true;
-        }
-    }
-    const bool flies = phase.is<Flight>();
-    if (!concerns && (flies || phase.obstacle != obstacle)) {
-        return;
+        kept.surface.frame = isOfIt(kept) ? frame : kept.surface.frame;
     }
     if (auto* slide = phase.as<Slide>()) {
         // The body goes on with the velocity that it had, off the surface as it moves from now on.

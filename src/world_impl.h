@@ -40,6 +40,7 @@ struct World::Impl {
 
     SnapshotMemory& snapshotMemory();
     void become(SnapshotState& state);
+    /// The slot of a body; its flight may be taken.
     BodySlot* find(BodyId id) {
         const bool known = id.slot != 0 && id.slot <= bodies.size();
         BodySlot* slot = known ? &bodies[id.slot - 1] : nullptr;
@@ -63,10 +64,20 @@ struct World::Impl {
     [[nodiscard]] std::optional<Overlap> overlapWith(std::size_t index, const Shape& shape, const Pose& pose) const;
     /// The deepest place where this pose penetrates an obstacle by more than 1e-6 of the length.
     [[nodiscard]] std::optional<Overlap> overlap(const Shape& shape, const Pose& pose) const;
+    /// What the body in this slot does, and is: also where its flight is taken.
+    [[nodiscard]] BodySlot bodyIn(std::size_t slot) const;
+    [[nodiscard]] Pose poseIn(std::size_t slot) const;
+    [[nodiscard]] Vec3 velocityIn(std::size_t slot) const;
     /// For whatever happens to a body between steps.
+    [[nodiscard]] BodySlot& whole(std::size_t slot) {
+        if (matrices.giveBack(slot, bodies[slot].phase)) {
+            matrices.changed(slot);
+        }
+        return bodies[slot];
+    }
     [[nodiscard]] Moment now(BodyId id) {
         unsettle(id.slot - 1);
-        return {around, *find(id), id, time, pending};
+        return {around, whole(id.slot - 1), id, time, pending};
     }
     /// The body in this slot is not what it was.
     void unsettle(std::size_t slot) {

@@ -111,15 +111,19 @@ void World::Impl::advanceBodies(double to) {
         for (std::size_t k = 0; k < busy.size(); ++k) {
             if (k + kSlotsAhead < busy.size()) {
                 prefetchSlot(bodies[busy[k + kSlotsAhead]]);
+                matrices.prefetchFlight(busy[k + kSlotsAhead]);
             }
             if (k + kRestAhead < busy.size()) {
                 prefetchRest(bodies[busy[k + kRestAhead]]);
             }
             const std::size_t i = busy[k];
+            const bool was_taken = matrices.giveBack(i, bodies[i].phase);
             const std::size_t phases_before = part.out.phases.size();
             quiet_until[i] = advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
-            if (part.out.phases.size() != phases_before) {
-                matrices.changed(i);
+            if (was_taken && part.out.phases.size() == phases_before) {
+                MatrixTable::takeAgain(bodies[i].phase);
+            } else {
+                matrices.begun(i, bodies[i].phase, to);
             }
         }
         part.advanced = busy.size();

@@ -205,7 +205,8 @@ TEST(Corner, AGrazingTouchSkipsContinuously) {
             for (const Event& event : world.events()) {
                 exit.time = event.type == EventType::Release ? event.time : exit.time;
             }
-            if (const auto* impact = world.phase(body).as<Impact>()) {
+            const Phase phase = world.phase(body);
+            if (const auto* impact = phase.as<Impact>()) {
                 exit.turned = impact->turn_angle;
             }
         }

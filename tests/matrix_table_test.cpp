@@ -1,6 +1,8 @@
 // World::matrices() against pose(), to the bit, in worlds where everything happens and bodies come and go.
 #include "dmath.h"
 #include "elastoon/scene.h"
+#include "flight.h"
+#include "flight_lanes.h"
 #include "golden/golden_run.h"
 #include "impact_lanes.h"
 #include "test_support.h"
@@ -120,42 +122,124 @@ TEST(MatrixTable, LanesOfImpactsAreWhatThePosesSay) {
     }
 }
 
+TEST(MatrixTable, DrawingShowsNowhereElse) {
+    const std::string source = ELASTOON_SOURCE_DIR;
+    for (const Golden& golden : valueOf(readGoldens(source + "/tests/golden/hashes.txt"))) {
+        const Scene scene = valueOf(readScene(source + "/scenes/" + golden.scene));
+        StagedScene drawn = valueOf(stage(scene));
+        StagedScene plain = valueOf(stage(scene));
+        for (int k = 0; k < 240; ++k) {
+            drawn.world.step(1.0 / golden.fps);
+            plain.world.step(1.0 / golden.fps);
+            (void)drawn.world.matrices();
+            ASSERT_TRUE(drawn.world.snapshot() == plain.world.snapshot()) << golden.scene << ", step " << k;
+            for (const BodyId id : drawn.world.bodies()) {
+                const Prediction after_drawing = drawn.world.predict(id, 0.05);
+                const Prediction prediction = plain.world.predict(id, 0.05);
+                ASSERT_EQ(after_drawing.events.size(), prediction.events.size());
+                const Shape& shape = *drawn.world.shape(id);
+                const double t = drawn.world.time() + 0.05;
+                ASSERT_EQ(after_drawing.poseAt(shape, t).position, prediction.poseAt(shape, t).position);
+                ASSERT_EQ(drawn.world.velocity(id), plain.world.velocity(id));
+                ASSERT_EQ(drawn.world.phase(id).free_from, plain.world.phase(id).free_from);
+            }
+        }
+        EXPECT_EQ(drawn.world.stateHash(), plain.world.stateHash());
+    }
+}
+
+TEST(MatrixTable, LanesGiveBackTheFlightToTheBit) {
+    Random random(23);
+    for (int i = 0; i < 2000 * soak(); ++i) {
+        const Vec3 gravity = std::array{Vec3(0.0, -9.81, 0.0), Vec3(0.0), Vec3(3.0, -5.0, 1.0)}.at(i % 3);
+        const int kind = random.below(4);
+        const Vec3 velocity = kind == 0   ? Vec3(0.0)
+                              : kind == 1 ? gravity * random.uniform(-1.0, 1.0)
+                                          : random.inBox(9.0);
+        const Pose pose{random.inBox(5.0), random.rotation(), 1.0};
+        const Flight flight = beginFlight(pose, velocity, gravity, Style{}, Lead::PlusX);
+        FlightLanes lanes;
+        const auto lane = static_cast<std::size_t>(random.below(kLanes));
+        lanes.set(lane, 2.5, flight);
+        Flight back;
+        lanes.get(lane, gravity, back);
+        ASSERT_EQ(back.rule, flight.rule);
+        ASSERT_EQ(back.turn_axis, flight.turn_axis);
+        ASSERT_EQ(back.climb, flight.climb);
+        ASSERT_EQ(back.speed_across, flight.speed_across);
+        const double t = random.uniform(0.0, 2.0);
+        ASSERT_EQ(unpushedPose(back, t).orientation, unpushedPose(flight, t).orientation);
+        ASSERT_EQ(unpushedPose(back, t).position, unpushedPose(flight, t).position);
+        ASSERT_EQ(unpushedPose(back, t).stretch, unpushedPose(flight, t).stretch);
+        Columns columns;
+        poseFlights(lanes, gravity, 2.5 + t, columns);
+        const Mat3 linear = linearOf(unpushedPose(flight, 2.5 + t - 2.5));
+        for (int k = 0; k < 9; ++k) {
+            ASSERT_EQ(columns[static_cast<std::size_t>(k)][lane], static_cast<float>(linear[k / 3][k % 3])) << i;
+        }
+    }
+}
+
+/// One change or none, the same for the same state of `random`.
+void changeSomething(World& world, ObstacleId floor, std::vector<BodyId>& bodies, Random& random) {
+    const auto some = static_cast<std::size_t>(random.below(static_cast<int>(bodies.size())));
+    switch (random.below(14)) {
+    case 0:
+        ASSERT_TRUE(world.removeBody(bodies[some]));
+        bodies[some] = valueOf(world.addBody(thrown(random)));
+        break;
+    case 1:
+        (void)world.setVelocity(bodies[some], random.inBox(5.0));
+        break;
+    case 2:
+        (void)world.setPosition(bodies[some], {0.0, random.uniform(2.0, 9.0), 0.0});
+        break;
+    case 3:
+        bodies.push_back(valueOf(world.addBody(thrown(random))));
+        break;
+    case 4:
+        ASSERT_TRUE(world.setObstacleMotion(floor, {0.0, random.uniform(-0.2, 0.2), 0.0}, Vec3(0.0)));
+        break;
+    case 5:
+        ASSERT_TRUE(world.setGravity(world.gravity() * random.uniform(0.8, 1.2)));
+        break;
+    case 6: {
+        Style style;
+        style.max_stretch = random.uniform(1.0, 2.0);
+        ASSERT_TRUE(world.setStyle(bodies[some], style));
+        break;
+    }
+    default:
+        break;
+    }
+}
+
 TEST(MatrixTable, FollowsAllThatUsersChange) {
     Random random(77);
     for (const Vec3& gravity : {Vec3(0.0, -9.81, 0.0), Vec3(0.0), Vec3(1.0, -5.0, 2.0)}) {
         World world = worldWith(gravity);
+        World never_drawn = worldWith(gravity);
         const ObstacleId floor = valueOf(world.addObstacle(ObstacleDef::plane({0, 1, 0}, 0.0)));
+        ASSERT_EQ(valueOf(never_drawn.addObstacle(ObstacleDef::plane({0, 1, 0}, 0.0))), floor);
         std::vector<BodyId> bodies;
         for (int i = 0; i < 70; ++i) {
-            bodies.push_back(valueOf(world.addBody(thrown(random))));
+            const BodyDef def = thrown(random);
+            bodies.push_back(valueOf(world.addBody(def)));
+            ASSERT_EQ(valueOf(never_drawn.addBody(def)), bodies.back());
         }
+        std::vector<BodyId> same_bodies = bodies;
         const std::vector<std::byte> early = world.snapshot();
         for (int k = 0; k < 300; ++k) {
-            const auto some = static_cast<std::size_t>(random.below(static_cast<int>(bodies.size())));
-            switch (random.below(12)) {
-            case 0:
-                ASSERT_TRUE(world.removeBody(bodies[some]));
-                bodies[some] = valueOf(world.addBody(thrown(random)));
-                break;
-            case 1:
-                (void)world.setVelocity(bodies[some], random.inBox(5.0));
-                break;
-            case 2:
-                (void)world.setPosition(bodies[some], {0.0, random.uniform(2.0, 9.0), 0.0});
-                break;
-            case 3:
-                bodies.push_back(valueOf(world.addBody(thrown(random))));
-                break;
-            case 4:
-                ASSERT_TRUE(world.setObstacleMotion(floor, {0.0, random.uniform(-0.2, 0.2), 0.0}, Vec3(0.0)));
-                break;
-            default:
-                break;
-            }
+            Random same = random;
+            changeSomething(world, floor, bodies, random);
+            changeSomething(never_drawn, floor, same_bodies, same);
             if (k % 3 != 0) {
                 ASSERT_EQ(differences(world), 0) << "step " << k;
             }
             world.step(1.0 / 30.0);
+            never_drawn.step(1.0 / 30.0);
+            ASSERT_EQ(world.stateHash(), never_drawn.stateHash()) << "step " << k;
+            ASSERT_TRUE(world.snapshot() == never_drawn.snapshot()) << "step " << k;
         }
         ASSERT_EQ(differences(world), 0);
         ASSERT_TRUE(world.restore(early));

@@ -365,7 +365,7 @@ TEST_F(Refusals, EverySingleBit) {
 }
 
 TEST_F(Refusals, OtherVersionsAndForeignBytes) {
-    expectRefused(with(8, std::uint32_t{2}), "is of version 2; this library reads and writes version 1");
+    expectRefused(with(8, std::uint32_t{1}), "is of version 1; this library reads and writes version 2");
     expectRefused(with(0, 'X'), "letters ELASTOON");
     expectRefused(with(12, std::uint32_t{6}), "flags must be 0 or 1");
     Bytes damaged = bytes_;

@@ -79,7 +79,8 @@ TEST(Steer, LeavesAsToldWithoutAJump) {
                 }
                 continue;
             }
-            const auto* impact = world.phase(id).as<Impact>();
+            const Phase phase = world.phase(id);
+            const auto* impact = phase.as<Impact>();
             if (impact == nullptr || impact->surface.normal.y < 0.5 || in_impact++ < late) {
                 continue;
             }

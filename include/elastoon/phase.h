@@ -63,20 +63,27 @@ enum class AxisRule : std::uint8_t {
     Fixed, ///< nothing turns it: no speed and no gravity
 };
 
-/// A value that is T{} nearly everywhere, and takes no room there.
+/// A value kept apart; where it is T{} it may take no room.
 template <class T>
-class Seldom {
+class Boxed {
 public:
-    Seldom() = default;
-    Seldom(const T& value) : value_(value == T{} ? nullptr : std::make_unique<T>(value)) {}
-    Seldom(const Seldom& other) : Seldom(*other) {}
-    Seldom(Seldom&&) noexcept = default;
-    Seldom& operator=(const Seldom& other) { return *this = Seldom(other); }
-    Seldom& operator=(Seldom&&) noexcept = default;
-    ~Seldom() = default;
+    Boxed() = default;
+    Boxed(const T& value) : value_(std::make_unique<T>(value)) {}
+    Boxed(const Boxed& other) : value_(other.value_ ? std::make_unique<T>(*other.value_) : nullptr) {}
+    Boxed(Boxed&&) noexcept = default;
+    Boxed& operator=(const Boxed& other) {
+        value_ = other.value_ ? std::make_unique<T>(*other.value_) : nullptr;
+        return *this;
+    }
+    Boxed& operator=(Boxed&&) noexcept = default;
+    ~Boxed() = default;
 
+    /// To be changed: it must not be T{} that takes no room.
+    T& operator*() { return *value_; }
     const T& operator*() const { return value_ ? *value_ : kUsual; }
     const T* operator->() const { return &**this; }
+    /// It is T{}, and takes no room.
+    [[nodiscard]] bool isUsual() const { return value_ == nullptr; }
 
 private:
     static inline const T kUsual{};
@@ -96,8 +103,8 @@ struct Ease {
 struct Flight {
     Vec3 position{0.0}; ///< at start
     Vec3 velocity{0.0}; ///< at start
-    Vec3 gravity{0.0};
-    Quat orientation{kNoRotation}; ///< at start
+    Vec3 gravity{0.0}; ///< one below 1e-12 m/s^2 is none
+    Quat orientation{kNoRotation}; ///< while the heading is straight up; without gravity at all times
     Vec3 turn_axis{0.0, 0.0, -1.0}; ///< unit, up x (the velocity's direction across gravity)
     double climb = 0.0; ///< speed along `up` at start, m/s
     double pull = 0.0; ///< |gravity|, m/s^2
@@ -106,7 +113,7 @@ struct Flight {
     double max_stretch = 1.0, stretch_rate = 0.0;
     AxisRule rule = AxisRule::Velocity;
     Vec3 up{0.0, 1.0, 0.0}; ///< against gravity
-    Seldom<Ease> ease;
+    Boxed<Ease> ease; ///< mostly none
 };
 
 /// Squash and stretch against a surface, turning about the contact. Lives in the frame of the surface.
@@ -155,28 +162,6 @@ struct KeptClear {
     bool presses = false; ///< it closes on the body from the other side, which flattens where nothing else helps
 };
 
-/// A value kept apart: what is large and rare takes no room where it is not.
-template <class T>
-class Boxed {
-public:
-    Boxed() : value_(std::make_unique<T>()) {}
-    Boxed(const T& value) : value_(std::make_unique<T>(value)) {}
-    Boxed(const Boxed& other) : value_(other.value_ ? std::make_unique<T>(*other.value_) : nullptr) {}
-    Boxed(Boxed&&) noexcept = default;
-    Boxed& operator=(const Boxed& other) {
-        value_ = other.value_ ? std::make_unique<T>(*other.value_) : nullptr;
-        return *this;
-    }
-    Boxed& operator=(Boxed&&) noexcept = default;
-    ~Boxed() = default;
-
-    T& operator*() { return *value_; }
-    const T& operator*() const { return *value_; }
-
-private:
-    std::unique_ptr<T> value_;
-};
-
 /// One phase of one body: immutable once made.
 struct Phase {
     double start = 0.0;
@@ -186,34 +171,35 @@ struct Phase {
     std::vector<KeptClear> clear_of; ///< a flight gives them up some time after it has left them all
     /// From here on a flight needs no move to be clear of `clear_of`: its pose is its own.
     double free_from = std::numeric_limits<double>::infinity();
-    std::variant<Flight, Boxed<Impact>, Boxed<Rest>, Boxed<Slide>> motion;
+    std::variant<Boxed<Flight>, Boxed<Impact>, Boxed<Rest>, Boxed<Slide>> motion;
 
     /// Flight, Impact, Rest or Slide: whether it is one, as one (null if it is not), and as the one that it is.
     template <class T>
     [[nodiscard]] bool is() const {
-        return as<T>() != nullptr;
+        return std::holds_alternative<Boxed<T>>(motion);
     }
     template <class T>
-    [[nodiscard]] const T* as() const {
-        if constexpr (std::is_same_v<T, Flight>) {
-            return std::get_if<T>(&motion);
-        } else {
-            const auto* boxed = std::get_if<Boxed<T>>(&motion);
-            return boxed != nullptr ? &**boxed : nullptr;
-        }
+    [[nodiscard]] const T* as() const& {
+        const auto* boxed = std::get_if<Boxed<T>>(&motion);
+        return boxed != nullptr ? &**boxed : nullptr;
     }
     template <class T>
-    [[nodiscard]] T* as() {
-        return const_cast<T*>(std::as_const(*this).as<T>());
+    [[nodiscard]] T* as() & {
+        auto* boxed = std::get_if<Boxed<T>>(&motion);
+        return boxed != nullptr ? &**boxed : nullptr;
     }
     template <class T>
-    [[nodiscard]] const T& get() const {
+    const T* as() const&& = delete; ///< the phase would be gone
+    template <class T>
+    [[nodiscard]] const T& get() const& {
         return *as<T>();
     }
     template <class T>
-    [[nodiscard]] T& get() {
+    [[nodiscard]] T& get() & {
         return *as<T>();
     }
+    template <class T>
+    const T& get() const&& = delete;
 };
 
 /// flight, impact, rest or slide.

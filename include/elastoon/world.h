@@ -208,7 +208,7 @@ public:
     /// The following need an id that contains() knows.
     [[nodiscard]] Pose pose(BodyId id) const;
     [[nodiscard]] Vec3 velocity(BodyId id) const;
-    [[nodiscard]] const Phase& phase(BodyId id) const;
+    [[nodiscard]] Phase phase(BodyId id) const;
     [[nodiscard]] const ShapePtr& shape(BodyId id) const;
     [[nodiscard]] const Style& style(BodyId id) const;
     [[nodiscard]] std::uint64_t userData(BodyId id) const;
