@@ -43,12 +43,13 @@ Vec3 worldOf(const Flight& flight, const Heading& heading) {
 /// The turn from straight up to the heading, in the plane of the parabola; stable up to straight down.
 Quat turnFromUp(const Flight& flight, double elapsed) {
     const Heading raw = rawHeadingAt(flight, elapsed);
-    const double inverse = 1.0 / std::sqrt(raw.up * raw.up + raw.across * raw.across);
-    const double cosine = raw.up * inverse;
-    const double sine = raw.across * inverse;
-    const double larger = std::sqrt(0.5 * (1.0 + std::fabs(cosine)));
-    const double smaller = 0.5 * sine / larger;
-    const bool acute = cosine >= 0.0;
+    // Half of the angle is that of (length + |up|, across).
+    const double length = std::sqrt(raw.up * raw.up + raw.across * raw.across);
+    const double sum = length + std::fabs(raw.up);
+    const double inverse = 1.0 / std::sqrt(2.0 * length * sum);
+    const double larger = sum * inverse;
+    const double smaller = raw.across * inverse;
+    const bool acute = raw.up >= 0.0;
     const Vec3 axis = flight.turn_axis * (acute ? smaller : larger);
     return {acute ? larger : smaller, axis.x, axis.y, axis.z};
 }

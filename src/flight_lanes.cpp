@@ -42,9 +42,9 @@ namespace {
 
 [[gnu::always_inline]] inline void poseEight(const FlightLanes::Eight& in, const Vec3& gravity, double t,
                                              std::size_t first, Columns& out) {
-    const double length = glm::length(gravity);
-    const bool falls = length > kLeastPull;
-    const double pull = falls ? length : 0.0;
+    const double all_pull = glm::length(gravity);
+    const bool falls = all_pull > kLeastPull;
+    const double pull = falls ? all_pull : 0.0;
     const Vec3 g = falls ? gravity : Vec3(0.0);
     const Vec3 up = falls ? -gravity / pull : Vec3(0.0);
     // What does not fall does not turn: it is a reversal straight up.
@@ -76,12 +76,12 @@ namespace {
         const bool reverses = turning < e;
         const double raw_up = reverses ? climb * climb + e * e : climb;
         const double raw_across = reverses ? climb * turning : turning;
-        const double inverse = 1.0 / std::sqrt(raw_up * raw_up + raw_across * raw_across);
-        const double cosine = raw_up * inverse;
-        const double sine = raw_across * inverse;
-        const double larger = std::sqrt(0.5 * (1.0 + std::fabs(cosine)));
-        const double smaller = 0.5 * sine / larger;
-        const bool acute = cosine >= 0.0;
+        const double length = std::sqrt(raw_up * raw_up + raw_across * raw_across);
+        const double sum = length + std::fabs(raw_up);
+        const double inverse = 1.0 / std::sqrt(2.0 * length * sum);
+        const double larger = sum * inverse;
+        const double smaller = raw_across * inverse;
+        const bool acute = raw_up >= 0.0;
         const double half_sine = acute ? smaller : larger;
         const double half_cosine = acute ? larger : smaller;
         const LaneTurn turn{half_cosine, ax * half_sine, ay * half_sine, az * half_sine};

@@ -1,6 +1,7 @@
 // See impact_lanes.h. Between what all lanes do at once each looks up the vertex that touches.
 #include "impact_lanes.h"
 
+#include "contact.h"
 #include "dmath.h"
 #include "dmath_series.h"
 #include "support.h"
@@ -11,7 +12,7 @@ namespace elastoon {
 
 bool ImpactLanes::fits(const Phase& phase) {
     const auto* impact = phase.as<Impact>();
-    return impact != nullptr && phase.clear_of.empty() && !impact->surface.solid && !impact->surface.frame.moves();
+    return impact != nullptr && phase.clear_of.empty() && !impact->surface.frame.moves();
 }
 
 void ImpactLanes::set(std::size_t lane, const Impact& impact, const Shape& shape) {
@@ -27,6 +28,7 @@ void ImpactLanes::set(std::size_t lane, const Impact& impact, const Shape& shape
         rows[3][lane] = from.z;
     };
     shapes[lane] = &shape;
+    surfaces[lane] = &impact.surface;
     begun[lane] = impact.begun;
     s_in[lane] = impact.curve.s_in;
     s_mid[lane] = impact.curve.s_mid;
@@ -50,13 +52,15 @@ void ImpactLanes::set(std::size_t lane, const Impact& impact, const Shape& shape
 
 namespace {
 
-/// Of the poses, in the plane's frame: all but the way that lifts the body until it touches.
+/// Of the poses, in the surface's frame: all but the way that lifts the body until it touches.
 struct Lying {
     Row stretch, root; ///< root: of the stretch
     std::array<Row, 4> turn; ///< w, x, y, z
     std::array<Row, 3> position;
     std::array<Row, 3> down; ///< into the plane, in the body's frame
     std::array<Row, 3> lowest; ///< the vertex that lies furthest that way
+    Row lift; ///< where it is lifted onto a solid
+    Row on_solid; ///< 1, else 0
 };
 
 struct SineCosine {
@@ -138,16 +142,17 @@ struct SineCosine {
 
 [[gnu::always_inline]] inline void liftHere(const ImpactLanes& in, const Lying& lying, Columns& out) {
     for (std::size_t i = 0; i < kLanes; ++i) {
-        // liftToTouch() of a plane.
+        // liftToTouch() of a plane; that of a solid is known.
         const double stretch = lying.stretch[i];
         const double reach =
             stretch * lying.down[0][i] * lying.lowest[0][i] +
             (lying.down[1][i] * lying.lowest[1][i] + lying.down[2][i] * lying.lowest[2][i]) / lying.root[i];
         const double nx = in.normal[0][i], ny = in.normal[1][i], nz = in.normal[2][i];
         const double bx = lying.position[0][i], by = lying.position[1][i], bz = lying.position[2][i];
-        const double lift =
+        const double onto_plane =
             reach - (nx * (bx - in.point[0][i]) + ny * (by - in.point[1][i]) + nz * (bz - in.point[2][i]));
-        // From the plane's frame to the world.
+        const double lift = lying.on_solid[i] > 0.0 ? lying.lift[i] : onto_plane;
+        // From the surface's frame to the world.
         const LaneTurn frame{in.frame[0][i], in.frame[1][i], in.frame[2][i], in.frame[3][i]};
         double x, y, z;
         turned(frame, bx + nx * lift, by + ny * lift, bz + nz * lift, x, y, z);
@@ -159,10 +164,18 @@ struct SineCosine {
     }
 }
 
-/// The vertex of each lane's shape that lies lowest.
-void findLowest(const ImpactLanes& in, std::size_t count, Lying& lying) {
+/// What each lane's lift comes from: above a plane the vertex of its shape that lies lowest.
+void findLifts(const ImpactLanes& in, std::size_t count, Lying& lying) {
     for (std::size_t i = 0; i < count; ++i) {
         const Shape& shape = *in.shapes[i];
+        if (in.surfaces[i]->solid) {
+            const Pose pose{{lying.position[0][i], lying.position[1][i], lying.position[2][i]},
+                            {lying.turn[0][i], lying.turn[1][i], lying.turn[2][i], lying.turn[3][i]},
+                            lying.stretch[i]};
+            lying.lift[i] = liftToTouch(*in.surfaces[i], shape, pose);
+            lying.on_solid[i] = 1.0;
+            continue;
+        }
         const Vec3 direction(lying.stretch[i] * lying.root[i] * lying.down[0][i], lying.down[1][i], lying.down[2][i]);
         const Vec3& vertex = shape.vertices()[supportOf(shape, direction)];
         lying.lowest[0][i] = vertex.x;
@@ -188,11 +201,11 @@ void poseImpacts(const ImpactLanes& in, std::size_t count, double t, Columns& ou
 #if defined(__x86_64__)
     static const bool kWide = __builtin_cpu_supports("avx2");
     kWide ? lieWide(in, t, lying) : lieHere(in, t, lying);
-    findLowest(in, count, lying);
+    findLifts(in, count, lying);
     kWide ? liftWide(in, lying, out) : liftHere(in, lying, out);
 #else
     lieHere(in, t, lying);
-    findLowest(in, count, lying);
+    findLifts(in, count, lying);
     liftHere(in, lying, out);
 #endif
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <limits>
 
 namespace elastoon {
 
@@ -109,33 +108,25 @@ void MatrixTable::begun(std::size_t slot, Phase& phase, double t) {
 
 /// Finds out how the body is to be drawn from now on.
 void MatrixTable::look(std::size_t slot, const BodySlot& body, double t) {
-    constexpr double kForEver = std::numeric_limits<double>::infinity();
     Block& block = blocks_[slot / kLanes];
-    const std::size_t lane = slot % kLanes;
-    const Some bit = Some{1} << lane;
-    block.taken &= ~bit;
-    block.to_take &= ~bit;
-    block.written &= ~bit;
-    double posed_until = kForEver;
+    const Some bit = Some{1} << slot % kLanes;
+    for (Some* const some : {&block.taken, &block.written, &block.posed, &block.to_take}) {
+        *some &= ~bit;
+    }
     const Phase& phase = body.phase;
+    const auto* rest = phase.as<Rest>();
     if (!body.used) {
         std::fill_n(&matrices_[kFloats * slot], kFloats, 0.0F);
         block.written |= bit;
-        posed_until = -kForEver;
     } else if (isTaken(phase)) {
         block.taken |= bit;
-        posed_until = -kForEver;
-    } else if (canBeTaken(phase)) {
-        block.to_take |= bit;
-        posed_until = freeAt(phase);
-    } else if (const auto* rest = phase.as<Rest>();
-               rest != nullptr && !rest->surface.frame.moves() && phase.clear_of.empty()) {
+    } else if (rest != nullptr && !rest->surface.frame.moves() && phase.clear_of.empty()) {
         writePose(slot, body, t);
         block.written |= bit;
-        posed_until = -kForEver;
+    } else {
+        block.posed |= bit;
+        block.to_take |= canBeTaken(phase) ? bit : 0;
     }
-    block.posed_until[lane] = posed_until;
-    block.any_posed_until = *std::max_element(block.posed_until.begin(), block.posed_until.end());
 }
 
 void MatrixTable::takeFlights(std::size_t index, double t, std::vector<BodySlot>& bodies) {
@@ -151,42 +142,42 @@ void MatrixTable::takeFlights(std::size_t index, double t, std::vector<BodySlot>
         }
     }
     Block& block = blocks_[index];
-    const Some ripe = block.to_take == 0 ? 0 : block.to_take & ~posed(index, t);
-    block.to_take &= ~ripe;
-    block.taken |= ripe;
-    forEach(ripe, begin, [&](std::size_t slot) {
+    forEach(block.to_take, begin, [&](std::size_t slot) {
         Phase& phase = bodies[slot].phase;
-        block.lanes.set(slot - begin, phase.start, phase.get<Flight>());
-        takeAgain(phase);
+        if (t >= freeAt(phase)) {
+            const Some bit = Some{1} << (slot - begin);
+            block.lanes.set(slot - begin, phase.start, phase.get<Flight>());
+            takeAgain(phase);
+            block.taken |= bit;
+            block.posed &= ~bit;
+            block.to_take &= ~bit;
+        }
     });
 }
 
-MatrixTable::Some MatrixTable::posed(std::size_t index, double t) const {
-    if (index >= blocks_.size() || t >= blocks_[index].any_posed_until) {
-        return 0;
-    }
-    Some found = 0;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        found |= Some{t < blocks_[index].posed_until[i]} << i;
-    }
-    return found;
-}
-
-void MatrixTable::writePosed(std::size_t index, double t, const std::vector<BodySlot>& bodies, Impacts& impacts) {
-    forEach(posed(index + 4, t), (index + 4) * kLanes, [&](std::size_t slot) { prefetchSlot(bodies[slot]); });
-    forEach(posed(index + 2, t), (index + 2) * kLanes, [&](std::size_t slot) { prefetchRest(bodies[slot]); });
-    forEach(posed(index, t), index * kLanes, [&](std::size_t slot) {
-        const BodySlot& body = bodies[slot];
-        if (!ImpactLanes::fits(body.phase)) {
-            writePose(slot, body, t);
-            return;
+void MatrixTable::writePosed(std::span<const std::uint32_t> slots, double t, const std::vector<BodySlot>& bodies) {
+    constexpr std::size_t kSlotsAhead = 8;
+    constexpr std::size_t kRestAhead = 4;
+    Impacts impacts;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        if (i + kSlotsAhead < slots.size()) {
+            prefetchSlot(bodies[slots[i + kSlotsAhead]]);
         }
-        impacts.slots[impacts.count] = slot;
+        if (i + kRestAhead < slots.size()) {
+            prefetchRest(bodies[slots[i + kRestAhead]]);
+        }
+        const BodySlot& body = bodies[slots[i]];
+        if (!ImpactLanes::fits(body.phase)) {
+            writePose(slots[i], body, t);
+            continue;
+        }
+        impacts.slots[impacts.count] = slots[i];
         impacts.lanes.set(impacts.count, body.phase.get<Impact>(), *body.shape);
         if (++impacts.count == kLanes) {
             writeImpacts(t, impacts);
         }
-    });
+    }
+    writeImpacts(t, impacts);
 }
 
 void MatrixTable::writeImpacts(double t, Impacts& impacts) {
@@ -217,6 +208,22 @@ void MatrixTable::writeFlights(std::size_t index, double t) {
     forEach(block.taken, 0, [&](std::size_t lane) { writeOne(columns, lane, out + kFloats * lane); });
 }
 
+/// Batches of one kind: what poses are worked out with stays in the nearest cache, and the matrices in the next.
+void MatrixTable::writeBlocks(std::size_t begin, std::size_t end, double t, std::vector<BodySlot>& bodies) {
+    constexpr std::size_t kBatch = 64;
+    std::array<std::uint32_t, kBatch * kLanes> posed;
+    for (std::size_t first = begin; first < end; first += kBatch) {
+        std::size_t count = 0;
+        for (std::size_t i = first; i < std::min(end, first + kBatch); ++i) {
+            takeFlights(i, t, bodies);
+            writeFlights(i, t);
+            forEach(blocks_[i].posed, i * kLanes,
+                    [&](std::size_t slot) { posed[count++] = static_cast<std::uint32_t>(slot); });
+        }
+        writePosed(std::span(posed).first(count), t, bodies);
+    }
+}
+
 std::span<const float> MatrixTable::at(double t, std::vector<BodySlot>& bodies, const Vec3& gravity,
                                        const ParallelFor& parallel_for) {
     const std::size_t count = (bodies.size() + kLanes - 1) / kLanes;
@@ -227,26 +234,10 @@ std::span<const float> MatrixTable::at(double t, std::vector<BodySlot>& bodies, 
     blocks_.resize(count);
     changed_.resize(kLanes * count, kChanged);
     matrices_.resize(kFloats * kLanes * count);
-    // Batches of one kind: what poses are worked out with stays in the nearest cache, and the matrices in the next.
-    constexpr std::size_t kBatch = 64;
-    const auto writeBlocks = [&](std::size_t begin, std::size_t end) {
-        Impacts impacts;
-        for (std::size_t first = begin; first < end; first += kBatch) {
-            const std::size_t last = std::min(end, first + kBatch);
-            for (std::size_t i = first; i < last; ++i) {
-                takeFlights(i, t, bodies);
-                writeFlights(i, t);
-            }
-            for (std::size_t i = first; i < last; ++i) {
-                writePosed(i, t, bodies, impacts);
-            }
-            writeImpacts(t, impacts);
-        }
-    };
     if (parallel_for) {
-        parallel_for(count, writeBlocks);
+        parallel_for(count, [&](std::size_t begin, std::size_t end) { writeBlocks(begin, end, t, bodies); });
     } else {
-        writeBlocks(0, count);
+        writeBlocks(0, count, t, bodies);
     }
     return std::span<const float>(matrices_).first(kFloats * bodies.size());
 }

@@ -61,17 +61,14 @@ private:
     using Some = std::uint32_t;
     struct Block {
         FlightLanes lanes{};
-        std::array<double, kLanes> posed_until{}; ///< before it, by poseAt()
-        double any_posed_until = 0.0; ///< the latest of them
-        Some to_take = 0; ///< flights, at `posed_until`
-        Some taken = 0;
+        Some taken = 0; ///< drawn from lanes
         Some written = 0; ///< their matrices stay as they are
+        Some posed = 0; ///< by poseAt(), or with other impacts
+        Some to_take = 0; ///< of these, as soon as they need no push
     };
     [[nodiscard]] static bool canBeTaken(const Phase& phase);
     void look(std::size_t slot, const BodySlot& body, double t);
     void takeFlights(std::size_t index, double t, std::vector<BodySlot>& bodies);
-    /// Those whose pose is asked for, one by one.
-    [[nodiscard]] Some posed(std::size_t index, double t) const;
     /// Impacts that are worked out together.
     struct Impacts {
         ImpactLanes lanes;
@@ -79,7 +76,8 @@ private:
         std::size_t count = 0;
     };
     void writeFlights(std::size_t index, double t);
-    void writePosed(std::size_t index, double t, const std::vector<BodySlot>& bodies, Impacts& impacts);
+    void writePosed(std::span<const std::uint32_t> slots, double t, const std::vector<BodySlot>& bodies);
+    void writeBlocks(std::size_t begin, std::size_t end, double t, std::vector<BodySlot>& bodies);
     void writeImpacts(double t, Impacts& impacts);
     void writePose(std::size_t slot, const BodySlot& body, double t);
 

@@ -58,15 +58,18 @@ BodyDef thrown(Random& random) {
     return def;
 }
 
-/// An impact on a plane, of any form: also with a half that takes no time.
-Phase anyImpact(Random& random) {
+/// An impact on a plane or on a solid, of any form: also with a half that takes no time.
+Phase anyImpact(Random& random, const ShapePtr& solid) {
     Impact impact;
+    impact.surface.solid = random.below(2) == 0 ? solid : nullptr;
     impact.begun = random.uniform(0.0, 100.0);
     MovingFrame& frame = impact.surface.frame;
     frame.origin = random.inBox(5.0);
     frame.orientation = random.below(2) == 0 ? kNoRotation : random.rotation();
-    impact.surface.point = random.inBox(5.0);
-    impact.surface.normal = random.direction();
+    // The top of a solid within its border, where it ends, and what is no face of it.
+    const bool on_top = impact.surface.solid != nullptr && random.below(3) != 0;
+    impact.surface.point = on_top ? Vec3(random.uniform(-0.9, 0.9), 0.4, random.uniform(-0.9, 0.9)) : random.inBox(5.0);
+    impact.surface.normal = on_top ? Vec3(0.0, 1.0, 0.0) : random.direction();
     impact.contact_in_shape = random.inBox(0.5);
     impact.orientation = random.rotation();
     impact.turn_axis = random.direction();
@@ -92,12 +95,13 @@ Phase anyImpact(Random& random) {
 TEST(MatrixTable, LanesOfImpactsAreWhatThePosesSay) {
     Random random(19);
     const std::vector<ShapePtr> shapes{valueOf(Shape::sphere(0.5, 8)), valueOf(Shape::box({0.3, 0.5, 0.4}))};
+    const ShapePtr solid = valueOf(Shape::box({2.0, 0.8, 2.0}));
     for (int i = 0; i < 200 * soak(); ++i) {
         ImpactLanes lanes;
         const double share = random.below(4) * 0.25 + random.below(2) * random.uniform(0.0, 0.25);
         std::vector<Phase> phases;
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            phases.push_back(anyImpact(random));
+            phases.push_back(anyImpact(random, solid));
             Phase& phase = phases.back();
             // All are looked at at the same time.
             auto& impact = phase.get<Impact>();
