@@ -119,24 +119,24 @@ Vec3 furthestPoint(const Shape& shape, const Pose& pose, const Vec3& direction) 
     return worldFromShape(pose, shape.vertices()[supportOf(shape, in_shape)]);
 }
 
-std::optional<double> liftOntoFace(const Surface& surface, const Shape& shape, const Pose& pose_in_frame) {
+std::optional<std::size_t> faceOf(const Surface& surface) {
     constexpr std::size_t kMostFaces = 64;
     constexpr double kSameNormal = 1e-9;
-    const Shape& solid = *surface.solid;
-    const auto& normals = solid.topology().face_normals;
+    const auto& normals = surface.solid->topology().face_normals;
     const auto face = std::find_if(normals.begin(), normals.end(), [&](const Vec3& normal) {
         const Vec3 apart = normal - surface.normal;
         return glm::dot(apart, apart) < kSameNormal * kSameNormal;
     });
-    if (normals.size() > kMostFaces || face == normals.end()) {
-        return std::nullopt;
-    }
-    const Vec3 lowest = furthestPoint(shape, pose_in_frame, -surface.normal);
-    const auto index = static_cast<std::size_t>(face - normals.begin());
-    if (!isOverFace(solid, index, lowest)) {
-        return std::nullopt;
-    }
-    return glm::dot(*face, solid.vertices()[solid.face(index)[0]] - lowest) / glm::dot(*face, surface.normal);
+    return normals.size() > kMostFaces || face == normals.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(face - normals.begin()));
+}
+
+std::optional<double> liftOntoFace(const Surface& surface, const Shape& shape, const Pose& pose_in_frame) {
+    const auto face = faceOf(surface);
+    const auto contact =
+        face ? contactOnFace(*surface.solid, *face, shape, pose_in_frame, surface.normal) : std::nullopt;
+    return contact ? std::optional(contact->shift) : std::nullopt;
 }
 
 double liftToTouch(const Surface& surface, const Shape& shape, const Pose& pose_in_frame) {

@@ -16,6 +16,9 @@ namespace elastoon {
 /// Whether the point, seen along the face's normal, lies on the solid's face; all in the solid's frame.
 [[nodiscard]] bool isOverFace(const Shape& solid, std::size_t face, const Vec3& point);
 
+/// The face of the surface's solid that the surface's plane holds, if there is one and the solid's faces are few.
+[[nodiscard]] std::optional<std::size_t> faceOf(const Surface& surface);
+
 /// How far the body must be moved along the surface's normal (both in the frame, m) so that it just touches the solid,
 /// or the plane where there is none or the body passes it by. Negative where it is clear.
 [[nodiscard]] double liftToTouch(const Surface& surface, const Shape& shape, const Pose& pose_in_frame);

@@ -3,16 +3,20 @@
 // line_contact.cpp, one dimension lower). A plane along that side that the solid lies below proves the contact.
 #include "edge_contact.h"
 
+#include "contact.h"
 #include "support.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace elastoon {
 
 namespace {
 
 constexpr std::size_t kMostEdges = 64;
+/// A cosine: of the line of motion and a face's normal.
+constexpr double kSteepest = 1e-3;
 /// A sine: the surface's plane holds the edge, nearly.
 constexpr double kAcross = 1e-3;
 /// Times the body's length: the surface's point lies on the edge.
@@ -101,14 +105,14 @@ std::optional<Side> sideOver(const Outline& outline, double rounding) {
 
 } // namespace
 
-std::optional<LineContact> contactOnEdge(const Surface& surface, const Shape& shape, const Pose& pose) {
-    const Topology::Edge* edge = edgeOf(surface, kNear * shape.length());
-    if (edge == nullptr) {
-        return std::nullopt;
-    }
+namespace {
+
+/// The body comes down on the edge, or beyond it on a face that borders on it, or neither.
+std::optional<LineContact> contactAbout(const Topology::Edge& edge, const Surface& surface, const Shape& shape,
+                                        const Pose& pose, bool also_on_faces) {
     const Shape& solid = *surface.solid;
-    const Vec3& tail = solid.vertices()[edge->tail];
-    const Vec3 way = solid.vertices()[edge->head] - tail;
+    const Vec3& tail = solid.vertices()[edge.tail];
+    const Vec3 way = solid.vertices()[edge.head] - tail;
     const double length = glm::length(way);
     const Vec3 along = way / length;
     const Vec3 up = surface.normal - along * glm::dot(along, surface.normal);
@@ -121,27 +125,69 @@ std::optional<LineContact> contactOnEdge(const Surface& surface, const Shape& sh
     }
     const double run = side->right.across - side->left.across;
     const double rise = side->right.up - side->left.up;
+    const Vec3 normal = up * run - across * rise;
+    const auto& normals = solid.topology().face_normals;
+    for (const auto& [face, into_face] : {std::pair(edge.left, glm::cross(normals[edge.left], along)),
+                                          std::pair(edge.right, glm::cross(along, normals[edge.right]))}) {
+        if (glm::dot(normal, into_face) > 0.0) {
+            return also_on_faces ? contactOnFace(solid, face, shape, pose, surface.normal) : std::nullopt;
+        }
+    }
     const double share = -side->left.across / run;
     const double left = glm::dot(along, worldFromShape(pose, side->left.vertex) - tail);
     const double right = glm::dot(along, worldFromShape(pose, side->right.vertex) - tail);
     const double shift = -(side->left.up + share * rise) / glm::dot(up, surface.normal);
     const double at = left + share * (right - left) + shift * glm::dot(along, surface.normal);
-    const Vec3 normal = up * run - across * rise;
-    const auto& normals = solid.topology().face_normals;
-    const auto isBelow = [&](const Vec3& into_face) { return glm::dot(normal, into_face) <= 0.0; };
-    if (!(at > 0.0 && at < length) || !isBelow(glm::cross(normals[edge->left], along)) ||
-        !isBelow(glm::cross(along, normals[edge->right]))) {
+    return at > 0.0 && at < length ? std::optional(LineContact{shift, glm::normalize(normal)}) : std::nullopt;
+}
+
+/// The edge of this face that the point, seen along its normal, is furthest beyond; null if it is over the face.
+const Topology::Edge* edgeBeyond(const Shape& solid, std::size_t face, const Vec3& point) {
+    const Vec3& normal = solid.topology().face_normals[face];
+    const Topology::Edge* furthest = nullptr;
+    double most = 0.0;
+    for (const Topology::Edge& edge : solid.topology().edges) {
+        const double inwards = edge.left == face ? 1.0 : edge.right == face ? -1.0 : 0.0;
+        const Vec3& tail = solid.vertices()[edge.tail];
+        const Vec3 way = glm::normalize(solid.vertices()[edge.head] - tail);
+        const double beyond = -inwards * glm::dot(glm::cross(normal, way), point - tail);
+        if (beyond > most) {
+            most = beyond;
+            furthest = &edge;
+        }
+    }
+    return furthest;
+}
+
+} // namespace
+
+std::optional<LineContact> contactOnFace(const Shape& solid, std::size_t face, const Shape& shape, const Pose& pose,
+                                         const Vec3& direction) {
+    const Vec3& normal = solid.topology().face_normals[face];
+    const double cosine = glm::dot(normal, direction);
+    if (cosine < kSteepest) {
         return std::nullopt;
     }
-    return LineContact{shift, glm::normalize(normal)};
+    const Vec3 lowest = furthestPoint(shape, pose, -normal);
+    const double shift = glm::dot(normal, solid.vertices()[solid.face(face)[0]] - lowest) / cosine;
+    return isOverFace(solid, face, lowest + direction * shift) ? std::optional(LineContact{shift, normal})
+                                                               : std::nullopt;
+}
+
+std::optional<LineContact> contactOnEdge(const Surface& surface, const Shape& shape, const Pose& pose) {
+    const Topology::Edge* edge = edgeOf(surface, kNear * shape.length());
+    return edge != nullptr ? contactAbout(*edge, surface, shape, pose, false) : std::nullopt;
 }
 
 std::optional<LineContact> contactOffFace(const Surface& surface, const Shape& shape, const Pose& pose) {
-    if (const auto contact = contactOnEdge(surface, shape, pose)) {
-        return contact;
+    const Topology::Edge* edge = edgeOf(surface, kNear * shape.length());
+    if (const auto face = edge == nullptr ? faceOf(surface) : std::nullopt) {
+        edge = edgeBeyond(*surface.solid, *face, furthestPoint(shape, pose, -surface.normal));
     }
-    return contactAlong({&shape, linearOf(pose), pose.position}, {surface.solid.get(), Mat3(1.0), Vec3(0.0)},
-                        surface.normal);
+    const auto contact = edge != nullptr ? contactAbout(*edge, surface, shape, pose, true) : std::nullopt;
+    return contact ? contact
+                   : contactAlong({&shape, linearOf(pose), pose.position}, {surface.solid.get(), Mat3(1.0), Vec3(0.0)},
+                                  surface.normal);
 }
 
 } // namespace elastoon

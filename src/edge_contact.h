@@ -13,7 +13,11 @@ namespace elastoon {
 [[nodiscard]] std::optional<LineContact> contactOnEdge(const Surface& surface, const Shape& shape,
                                                        const Pose& pose_in_frame);
 
-/// contactAlong() the surface's normal: on the edge where that is where it comes down.
+/// As contactAlong() the direction, where the body comes down within this face of the solid. None elsewhere.
+[[nodiscard]] std::optional<LineContact> contactOnFace(const Shape& solid, std::size_t face, const Shape& shape,
+                                                       const Pose& pose_in_frame, const Vec3& direction);
+
+/// contactAlong() the surface's normal: on the edge where that is where it comes down, or on a face beside it.
 [[nodiscard]] std::optional<LineContact> contactOffFace(const Surface& surface, const Shape& shape,
                                                         const Pose& pose_in_frame);
 

@@ -63,6 +63,50 @@ TEST(EdgeContact, IsWhatContactAlongFinds) {
     EXPECT_GT(found, cases / 4);
 }
 
+/// Leaning, over a face and beyond its borders, or over an edge and beyond both of its faces.
+TEST(EdgeContact, OffTheFaceIsWhatContactAlongFinds) {
+    Random random(52);
+    int on_face = 0;
+    int missed = 0;
+    for (int i = 0; i < 6000 * soak(); ++i) {
+        const ShapePtr body = anyOf(random, solids().all);
+        const ShapePtr solid = anyOf(random, solids().all);
+        EdgeCase c = anyEdgeCase(random, solid, *body);
+        if (random.below(2) == 0) {
+            const auto face =
+                static_cast<std::size_t>(random.below(static_cast<int>(solid->topology().face_normals.size())));
+            c.surface.normal = solid->topology().face_normals[face];
+            c.surface.point = solid->vertices()[solid->face(face)[0]];
+            c.pose.position = c.surface.point + c.surface.normal + random.inBox(0.6) * solid->length();
+        } else {
+            c.pose.position += random.inBox(0.5) * solid->length();
+        }
+        const PosedShape a{body.get(), linearOf(c.pose), c.pose.position};
+        const PosedShape b{solid.get(), Mat3(1.0), Vec3(0.0)};
+        const auto along = contactAlong(a, b, c.surface.normal);
+        const auto contact = contactOffFace(c.surface, *body, c.pose);
+        ASSERT_EQ(contact.has_value(), along.has_value()) << "case " << i;
+        missed += contact ? 0 : 1;
+        if (!contact) {
+            continue;
+        }
+        const double size = sizeOf(a, b);
+        const double sine = glm::dot(contact->normal, c.surface.normal);
+        ASSERT_NEAR(contact->shift, along->shift, 1e-12 * size / std::max(sine, 1e-3)) << "case " << i;
+        PosedShape moved = a;
+        moved.position += contact->shift * c.surface.normal;
+        ASSERT_NEAR(gapAcross(moved, b, contact->normal), 0.0, 1e-12 * size) << "case " << i;
+        for (std::size_t face = 0; face < solid->topology().face_normals.size(); ++face) {
+            if (const auto found = contactOnFace(*solid, face, *body, c.pose, c.surface.normal)) {
+                ASSERT_NEAR(found->shift, along->shift, 1e-12 * size / glm::dot(found->normal, c.surface.normal));
+                ++on_face;
+            }
+        }
+    }
+    EXPECT_GT(missed, 100);
+    EXPECT_GT(on_face, 600);
+}
+
 /// A cube face down on the edge of a box, at half of a right angle to both of its faces.
 TEST(EdgeContact, ClosedForm) {
     const ShapePtr box = valueOf(Shape::box({2.0, 2.0, 2.0}));

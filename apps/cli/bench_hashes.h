@@ -15,10 +15,10 @@ struct BenchScene {
 
 inline constexpr BenchScene kBenchScenes[] = {
     {"flight", 10000, 0x68447d81254bb965},  //
-    {"rain", 10000, 0x6afa25b27d202a3a},    //
+    {"rain", 10000, 0x0a4a3970e1bb0c4b},    //
     {"ballpit", 10000, 0xba732dbbd65d88be}, //
-    {"pachinko", 1000, 0xeda4a829da17cfb4}, //
-    {"corners", 1000, 0x4872de33f5eb231a},
+    {"pachinko", 1000, 0x5449bb3b2e022909}, //
+    {"corners", 1000, 0x3288e904ef368b7f},
 };
 
 } // namespace elastoon
