@@ -84,7 +84,7 @@ Flight MatrixTable::flight(std::size_t slot) const {
 bool MatrixTable::giveBack(std::size_t slot, Phase& phase) const {
     const bool taken = isTaken(phase);
     if (taken) {
-        auto& flight = phase.motion.emplace<Boxed<Flight>>(Flight{});
+        auto& flight = phase.motion.emplace<Boxed<Flight>>(Boxed<Flight>::made());
         blocks_[slot / kLanes].lanes.get(slot % kLanes, gravity_, *flight);
     }
     return taken;

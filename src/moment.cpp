@@ -44,7 +44,7 @@ double Moment::leastPartingSpeed(const Surface& surface) const {
 
 void Moment::begin(Phase phase) {
     if (phase.is<Flight>() && !phase.clear_of.empty()) {
-        phase.free_from = freeFrom(phase, *body_.shape);
+        findFreeFrom(phase, *body_.shape);
     }
     body_.phase = std::move(phase);
     body_.plan = {};

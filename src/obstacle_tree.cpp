@@ -403,12 +403,6 @@ void ObstacleTree::split(std::span<int> leaves, int parent, int slot) {
     }
 }
 
-void ObstacleTree::meeting(const Box& box, std::vector<std::size_t>& found) const {
-    found.clear();
-    query(box, [&](std::size_t index) { found.push_back(index); });
-    std::sort(found.begin(), found.end());
-}
-
 /// Separating axes of a segment against a box (Akenine-Moeller et al., "Real-Time Rendering", section 22.8): the
 /// moving box's size is added to the other's.
 bool ObstacleTree::sweepMeets(const Box& box, const Vec3& way, const Box& other) {

@@ -3,6 +3,7 @@
 
 #include "elastoon/math.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -71,7 +72,11 @@ public:
                     [&](const Box& other) { return sweepMeets(box, way, other); }, visitor);
     }
     /// The indices whose boxes meet this one, ascending, in place of what `found` held.
-    void meeting(const Box& box, std::vector<std::size_t>& found) const;
+    void meeting(const Box& box, std::vector<std::size_t>& found) const {
+        found.clear();
+        query(box, [&](std::size_t index) { found.push_back(index); });
+        std::sort(found.begin(), found.end());
+    }
 
 private:
     static constexpr int kNone = -1;

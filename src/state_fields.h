@@ -153,7 +153,7 @@ void fields(Stream& stream, const Boxed<T>& boxed) {
 template <class Stream, class T>
 void fields(Stream& stream, Boxed<T>& boxed) {
     if (boxed.isUsual()) {
-        boxed = T{};
+        boxed = Boxed<T>::made();
     }
     fields(stream, *boxed);
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace elastoon {
@@ -286,29 +287,26 @@ std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const 
     return approach.staysFar(begin, to) ? std::nullopt : advance(approach, begin, to, give_up);
 }
 
-double freeFrom(const Phase& flight, const Shape& shape) {
-    const Phase unpushed{.start = flight.start,
-                         .end = flight.end,
-                         .obstacle = {},
-                         .clear_of = {},
-                         .free_from = flight.start,
-                         .motion = flight.motion};
+void findFreeFrom(Phase& flight, const Shape& shape) {
+    // Without what it is kept clear of the phase is on its own way.
+    std::vector<KeptClear> clear_of = std::exchange(flight.clear_of, {});
     double free_from = flight.start;
-    for (const KeptClear& kept : flight.clear_of) {
+    for (const KeptClear& kept : clear_of) {
         const double span = kept.until - flight.start;
         // Past the last time, which still counts.
         double free = std::nextafter(kept.until, std::numeric_limits<double>::infinity());
         for (const double share : {0.02, 0.1, 0.3}) {
             const double t = flight.start + share * span;
             if (span < std::numeric_limits<double>::infinity() &&
-                !firstTouch(unpushed, shape, kept.surface, t, kept.until)) {
+                !firstTouch(flight, shape, kept.surface, t, kept.until)) {
                 free = t;
                 break;
             }
         }
         free_from = std::max(free_from, free);
     }
-    return free_from;
+    flight.clear_of = std::move(clear_of);
+    flight.free_from = free_from;
 }
 
 bool hasLeftAll(const Phase& phase, double t) {

@@ -21,9 +21,9 @@ inline constexpr double kNoGivingUp = std::numeric_limits<double>::infinity();
 [[nodiscard]] std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const Surface& surface,
                                                double from, double to, double give_up = kNoGivingUp);
 
-/// A time from which on, for sure, the flight's own pose is clear of all that the phase is kept clear of: it may be
-/// later than need be.
-[[nodiscard]] double freeFrom(const Phase& flight, const Shape& shape);
+/// Sets the phase's `free_from`: a time from which on, for sure, the flight's own pose is clear of all that the phase
+/// is kept clear of. It may be later than need be.
+void findFreeFrom(Phase& flight, const Shape& shape);
 
 /// That the phase is a flight that at t, and from then on, moves and meets as if it were kept clear of nothing.
 [[nodiscard]] bool hasLeftAll(const Phase& phase, double t);

@@ -69,6 +69,12 @@ class Boxed {
 public:
     Boxed() = default;
     Boxed(const T& value) : value_(std::make_unique<T>(value)) {}
+    /// T{} that takes room: to be filled.
+    [[nodiscard]] static Boxed made() {
+        Boxed boxed;
+        boxed.value_ = std::make_unique<T>();
+        return boxed;
+    }
     Boxed(const Boxed& other) : value_(other.value_ ? std::make_unique<T>(*other.value_) : nullptr) {}
     Boxed(Boxed&&) noexcept = default;
     Boxed& operator=(const Boxed& other) {
