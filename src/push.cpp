@@ -382,14 +382,16 @@ namespace {
 struct Fit {
     Pose pose;
     bool fits = true;
-    double moved = 0.0; ///< how far from where its own motion puts it, m
+    Vec3 shift{0.0}; ///< from where its own motion puts it
+
+    [[nodiscard]] double moved() const { return glm::length(shift); }
 };
 
 Fit fitted(const Phase& phase, const Shape& shape, double t) {
     const Pose own = ownPose(phase, shape, t);
     Pose pose = own;
     if (moveClear(phase, shape, t, pose)) {
-        return {pose, true, glm::length(pose.position - own.position)};
+        return {pose, true, pose.position - own.position};
     }
     // In a corner it stops rather than change its form.
     if (!isPressed(phase, t)) {
@@ -427,15 +429,18 @@ double lastFit(const Phase& phase, const Shape& shape, const Span& span, double 
     return fits_at;
 }
 
-/// Where the body is moved at one end of the span and not at the other, the move must begin or end at nothing: else it
-/// would jump. The span between the two sides of a jump, or with no room at its end; none where there is neither.
+/// A move must begin or end at nothing, and be followed by one nearby: else the body would jump. The span between the
+/// two sides of a jump, or with no room at its end; none where there is neither.
 std::optional<Span> jumpWithin(const Phase& phase, const Shape& shape, Span span) {
     constexpr int kHalvings = 8;
     const double length = shape.length();
     const double moves = 1e-9 * length;
+    const double far = 0.02 * length;
     const double jumps = 1e-2 * length;
+    const auto step = [](const Fit& a, const Fit& b) { return glm::length(b.shift - a.shift); };
     for (int i = 0; i < kHalvings; ++i) {
-        if ((span.at_from.moved > moves) == (span.at_to.moved > moves)) {
+        const bool begins = (span.at_from.moved() > moves) != (span.at_to.moved() > moves);
+        if (!begins && step(span.at_from, span.at_to) <= (i == 0 ? far : jumps)) {
             return std::nullopt;
         }
         const double middle = span.from + 0.5 * (span.to - span.from);
@@ -443,7 +448,9 @@ std::optional<Span> jumpWithin(const Phase& phase, const Shape& shape, Span span
         if (!fit.fits) {
             return Span{span.from, middle, span.at_from, fit};
         }
-        if ((fit.moved > moves) == (span.at_from.moved > moves)) {
+        const bool later = begins ? (fit.moved() > moves) == (span.at_from.moved() > moves)
+                                  : step(fit, span.at_to) > step(span.at_from, fit);
+        if (later) {
             span.from = middle;
             span.at_from = fit;
         } else {
@@ -451,18 +458,21 @@ std::optional<Span> jumpWithin(const Phase& phase, const Shape& shape, Span span
             span.at_to = fit;
         }
     }
-    return std::max(span.at_from.moved, span.at_to.moved) > jumps ? std::optional(span) : std::nullopt;
+    return step(span.at_from, span.at_to) > jumps ? std::optional(span) : std::nullopt;
 }
 
 /// The first part of the time after which the body has no room, or jumps, as far as looking often shows.
 std::optional<Span> firstBlocked(const Phase& phase, const Shape& shape, double from, double to) {
-    constexpr int kLooks = 16;
+    constexpr std::size_t kLooks = 16;
+    // What has just come near closes in fastest: also at these shares.
+    constexpr std::array<double, 3> kSoon{1.0 / 4096.0, 1.0 / 256.0, 1.0 / 64.0};
     Span span{from, from, fitted(phase, shape, from), {}};
     if (!span.at_from.fits) {
         return span;
     }
-    for (int i = 1; i <= kLooks; ++i) {
-        span.to = i == kLooks ? to : from + (to - from) * i / kLooks;
+    for (std::size_t i = 0; i < kSoon.size() + kLooks; ++i) {
+        const double share = i < kSoon.size() ? kSoon[i] : static_cast<double>(i - kSoon.size() + 1) / kLooks;
+        span.to = share == 1.0 ? to : from + (to - from) * share;
         span.at_to = fitted(phase, shape, span.to);
         if (!span.at_to.fits) {
             return span;

@@ -127,4 +127,10 @@ Squeezed squeezed(const Phase& phase, const Shape& shape, double t) {
     return Squeeze(phase, shape, t).run();
 }
 
+bool fitsUnderPress(const Phase& phase, const Shape& shape, double t) {
+    Phase pressed = phase;
+    std::erase_if(pressed.clear_of, [](const KeptClear& kept) { return !kept.presses; });
+    return squeezed(pressed, shape, t).fits;
+}
+
 } // namespace elastoon

@@ -3,6 +3,7 @@
 
 #include "contact.h"
 #include "push.h"
+#include "squeeze.h"
 #include "touch.h"
 
 #include <algorithm>
@@ -109,15 +110,18 @@ double leavingEndsPushed(const BodySlot& body, double from) {
     return first;
 }
 
-/// When, within [from, to], what moves leaves a body at rest no room beside what else holds it. A press flattens it
-/// instead.
+/// When, within [from, to], what moves leaves a body at rest no room beside what else holds it. What presses it alone
+/// flattens it instead.
 double leftWithoutRoom(const BodySlot& body, double from, double to) {
     const auto& clear_of = body.phase.clear_of;
     const auto& rest = body.phase.get<Rest>();
     const bool moves =
         rest.surface.frame.moves() ||
         std::any_of(clear_of.begin(), clear_of.end(), [](const KeptClear& kept) { return kept.surface.frame.moves(); });
-    if (clear_of.empty() || !moves || isPressed(body.phase, from) || from >= to) {
+    const bool only_pressed =
+        std::all_of(clear_of.begin(), clear_of.end(), [](const KeptClear& kept) { return kept.presses; });
+    if (!moves || only_pressed || from >= to ||
+        (isPressed(body.phase, from) && !fitsUnderPress(body.phase, *body.shape, from))) {
         return kNever;
     }
     const double blocked = blockedAt(body.phase, *body.shape, from, to);
