@@ -209,32 +209,38 @@ double outOfReach(const Surface& surface, double t, const Flight& flight, const 
 }
 
 FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from, double to) {
+    const double climb = std::max(std::fabs(climbOf(flight, from)), std::fabs(climbOf(flight, to)));
+    FlightBounds bounds;
+    bounds.speed = std::sqrt(climb * climb + flight.speed_across * flight.speed_across);
+    bounds.longest = stretchAt(flight, bounds.speed);
+    double thin = 1.0;
+    if (from < flight.ease->span) {
+        bounds.longest = std::max(bounds.longest, flight.ease->stretch);
+        bounds.flattest = std::min(1.0, flight.ease->stretch);
+        thin = std::sqrt(bounds.flattest);
+    }
+    const double along = bounds.longest * shape.reachAlong();
+    const double across = shape.reachAcross() / thin;
+    bounds.reach = std::min(std::sqrt(along * along + across * across),
+                            shape.boundingRadius() * std::max(bounds.longest, 1.0 / thin));
+    return bounds;
+}
+
+double mostShapeRate(const Flight& flight, const Shape& shape, double from, double to, const FlightBounds& bounds) {
     const double pull = flight.pull;
     const double first = climbOf(flight, from);
     const double last = climbOf(flight, to);
     const double least_climb = first * last <= 0.0 ? 0.0 : std::min(std::fabs(first), std::fabs(last));
-    const double most_climb = std::max(std::fabs(first), std::fabs(last));
     const double across = flight.speed_across;
     const double least_speed = std::sqrt(least_climb * least_climb + across * across);
-
-    FlightBounds bounds;
-    bounds.speed = std::sqrt(most_climb * most_climb + across * across);
-    const bool eases = from < flight.ease->span;
-    const double fastest_stretch = stretchAt(flight, bounds.speed);
-    const double longest = eases ? std::max(fastest_stretch, flight.ease->stretch) : fastest_stretch;
-    const double flattest = eases ? std::min(1.0, flight.ease->stretch) : 1.0;
-    const double along = longest * shape.reachAlong();
-    const double across_reach = shape.reachAcross() / std::sqrt(flattest);
-    bounds.reach = std::min(std::sqrt(along * along + across_reach * across_reach),
-                            shape.boundingRadius() * std::max(longest, 1.0 / std::sqrt(flattest)));
 
     const double k = flight.stretch_rate;
     const double damped = k * least_speed + 1.0;
     // The easing's slope is at most 1.5.
-    const double easing = eases ? 1.5 / flight.ease->span : 0.0;
+    const double easing = from < flight.ease->span ? 1.5 / flight.ease->span : 0.0;
     const double stretch_rate =
-        pull * k * (flight.max_stretch - 1.0) / (damped * damped) + easing * (longest - flattest);
-    const double across_part = 0.5 * across_reach / flattest;
+        pull * k * (flight.max_stretch - 1.0) / (damped * damped) + easing * (bounds.longest - bounds.flattest);
+    const double across_part = 0.5 * (shape.reachAcross() / std::sqrt(bounds.flattest)) / bounds.flattest;
     const double lengthening =
         stretch_rate * std::sqrt(shape.reachAlong() * shape.reachAlong() + across_part * across_part);
 
@@ -243,8 +249,7 @@ FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from,
         const double floor = flight.rule == AxisRule::Reversal ? flight.reversal_speed : across;
         turning += pull * across / (least_climb * least_climb + floor * floor);
     }
-    bounds.shape_rate = turning * bounds.reach + lengthening;
-    return bounds;
+    return turning * bounds.reach + lengthening;
 }
 
 } // namespace elastoon

@@ -52,10 +52,13 @@ void easeFrom(Flight& flight, const Pose& pose, double span);
 
 /// Bounds that hold at every time within [from, to] (s after the flight's begin).
 struct FlightBounds {
-    double reach = 0.0;      ///< greatest distance of a point of the body from its centroid, m
-    double shape_rate = 0.0; ///< greatest speed of a point of the body relative to its centroid, m/s
-    double speed = 0.0;      ///< greatest speed of the unpushed centroid, m/s
+    double reach = 0.0; ///< greatest distance of a point of the body from its centroid, m
+    double speed = 0.0; ///< greatest speed of the unpushed centroid, m/s
+    double longest = 1.0, flattest = 1.0; ///< stretches
 };
 [[nodiscard]] FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from, double to);
+/// Greatest speed of a point of the body relative to its centroid, m/s; `bounds` are those of the same times.
+[[nodiscard]] double mostShapeRate(const Flight& flight, const Shape& shape, double from, double to,
+                                   const FlightBounds& bounds);
 
 } // namespace elastoon

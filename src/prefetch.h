@@ -8,7 +8,13 @@ namespace elastoon {
 inline void prefetch(const void* begin, std::size_t size) {
     constexpr std::size_t kLine = 64;
     for (std::size_t offset = 0; offset < size; offset += kLine) {
-        __builtin_prefetch(static_cast<const char*>(begin) + offset);
+        const char* line = static_cast<const char*>(begin) + offset;
+#if defined(__wasm__)
+        // It has no such instruction; a value that is read and not used is not waited for.
+        (void)*static_cast<const volatile char*>(line);
+#else
+        __builtin_prefetch(line);
+#endif
     }
 }
 

@@ -1,5 +1,5 @@
 // Based on: conservative advancement (Mirtich 1996) over the closed-form flight; the finish is the root finder of
-// Chandrupatla (1997). The bounds on turning and lengthening are those of flightBounds(). docs/impact-time.md.
+// Chandrupatla (1997). The bounds on turning and lengthening are those of mostShapeRate(). docs/impact-time.md.
 #include "touch.h"
 
 #include "closest.h"
@@ -58,7 +58,8 @@ struct Approach {
     [[nodiscard]] double otherRate(double t, double span) const {
         const double elapsed = t - phase.start;
         const FlightBounds bounds = flightBounds(flight, shape, elapsed, elapsed + span);
-        double rate = bounds.shape_rate + pushRate(t, span, bounds);
+        const double shape_rate = mostShapeRate(flight, shape, elapsed, elapsed + span, bounds);
+        double rate = shape_rate + pushRate(t, span, bounds);
         const double spin = glm::length(surface.frame.angular_velocity);
         if (spin > 0.0) {
             const double arm = glm::length(flight.position - surface.frame.originAt(phase.start)) + bounds.reach +
@@ -73,13 +74,15 @@ struct Approach {
             return 0.0;
         }
         const double gain = pushGain(phase, t);
+        const double elapsed = t - phase.start;
+        const double shape_rate = mostShapeRate(flight, shape, elapsed, elapsed + span, bounds);
         double rate = 0.0;
         for (const KeptClear& kept : phase.clear_of) {
             const MovingFrame& frame = kept.surface.frame;
-            const double drift = (bounds.speed + glm::length(frame.velocity)) * (t - phase.start + span);
+            const double drift = (bounds.speed + glm::length(frame.velocity)) * (elapsed + span);
             const double arm = glm::length(flight.position - frame.originAt(t)) + bounds.reach + drift;
             const double turning = 2.0 * glm::length(frame.angular_velocity) * arm;
-            rate = std::max(rate, bounds.speed + glm::length(frame.velocity) + bounds.shape_rate + turning);
+            rate = std::max(rate, bounds.speed + glm::length(frame.velocity) + shape_rate + turning);
         }
         return gain * rate;
     }

@@ -104,7 +104,7 @@ void World::Impl::advanceBodies(double to) {
         thread_local std::vector<std::size_t> busy;
         busy.clear();
         for (std::size_t i = begin; i < end; ++i) {
-            if (to > quiet_until[i] && bodies[i].used) {
+            if (to > quiet_until[i]) {
                 busy.push_back(i);
             }
         }
@@ -117,6 +117,11 @@ void World::Impl::advanceBodies(double to) {
                 prefetchRest(bodies[busy[k + kRestAhead]]);
             }
             const std::size_t i = busy[k];
+            if (!bodies[i].used) {
+                quiet_until[i] = std::numeric_limits<double>::infinity();
+                continue;
+            }
+            ++part.advanced;
             const bool was_taken = matrices.giveBack(i, bodies[i].phase);
             const std::size_t phases_before = part.out.phases.size();
             quiet_until[i] = advanceBody(around, bodies[i], idOfBody(i, bodies[i]), time, to, part.out);
@@ -126,7 +131,6 @@ void World::Impl::advanceBodies(double to) {
                 matrices.begun(i, bodies[i].phase, to);
             }
         }
-        part.advanced = busy.size();
         const Lock lock(guard);
         const auto later =
             std::partition_point(parts.begin(), parts.end(), [&](const Part& p) { return p.begin < begin; });
@@ -156,6 +160,41 @@ void World::step(double dt) {
     impl_->advance(impl_->time + dt);
 }
 
+namespace {
+
+/// Where something belongs in a list: by time, then by body, then as it came.
+struct Key {
+    double time;
+    std::uint32_t slot, place;
+
+    bool operator<(const Key& other) const {
+        return time != other.time ? time < other.time : slot != other.slot ? slot < other.slot : place < other.place;
+    }
+};
+
+/// Sorts what is large by its keys: keyOf(item, place).
+template <class Item, class KeyOf>
+void sortByKey(std::vector<Item>& items, KeyOf&& keyOf) {
+    const auto isBefore = [&](const Item& a, const Item& b) { return keyOf(a, 0) < keyOf(b, 0); };
+    if (std::is_sorted(items.begin(), items.end(), isBefore)) {
+        return;
+    }
+    thread_local std::vector<Key> keys;
+    keys.clear();
+    for (const Item& item : items) {
+        keys.push_back(keyOf(item, static_cast<std::uint32_t>(keys.size())));
+    }
+    std::sort(keys.begin(), keys.end());
+    thread_local std::vector<Item> sorted;
+    sorted.clear();
+    for (const Key& key : keys) {
+        sorted.push_back(std::move(items[key.place]));
+    }
+    items.swap(sorted);
+}
+
+} // namespace
+
 /// From one change of an obstacle's motion to the next.
 void World::Impl::advance(double to) {
     do {
@@ -168,13 +207,8 @@ void World::Impl::advance(double to) {
         append(phases, pending.phases);
     } while (time < to);
     const Stopwatch watch(clock, profile.sort_events);
-    std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
-        return a.time < b.time || (a.time == b.time && a.body.slot < b.body.slot);
-    });
-    const auto before = [](const PhaseBegun& a, const PhaseBegun& b) { return a.body.slot < b.body.slot; };
-    if (!std::is_sorted(phases.begin(), phases.end(), before)) {
-        std::stable_sort(phases.begin(), phases.end(), before);
-    }
+    sortByKey(events, [](const Event& event, std::uint32_t place) { return Key{event.time, event.body.slot, place}; });
+    sortByKey(phases, [](const PhaseBegun& phase, std::uint32_t place) { return Key{0.0, phase.body.slot, place}; });
 }
 
 } // namespace elastoon
