@@ -1,6 +1,14 @@
 #!/usr/bin/env bash
 # clang-tidy over the sources that changed since they last passed (with their headers): .clang-tidy says the checks.
+# --paths: also those that follow all paths through a function (clang-analyzer), which take most of the time; the tests' own
+# run theirs, under sanitizers.
 set -euo pipefail
+export paths=${1:-}
+case $paths in '' | --paths) ;; *)
+  echo "lint: unknown argument $paths; it takes --paths" >&2
+  exit 2
+  ;;
+esac
 cd "$(dirname "$0")/.."
 passed=build/lint
 mkdir -p "$passed"
@@ -22,7 +30,7 @@ done
 while read -r sum file; do
   sum_of[$file]=$sum
 done < <(git ls-files '*.h' '*.cpp' | xargs sha256sum)
-checks=$(cat .clang-tidy CMakeLists.txt | sha256sum)
+checks=$(cat .clang-tidy CMakeLists.txt <(echo "$paths") | sha256sum)
 todo=()
 while IFS= read -r file; do
   sums=$checks
@@ -39,8 +47,7 @@ printf '%s\0' "${todo[@]}" | xargs -0 -n 2 -P "$(nproc)" bash -c '
   # g++ builds the benchmark, with an option that clang does not know.
   [[ $0 == bench/* ]] && build=build/bench
   options=(--extra-arg=-Wno-unknown-warning-option --quiet --warnings-as-errors="*")
-  # Following all paths takes most of the time; the tests run theirs, under sanitizers.
-  [[ $0 == tests/* ]] && options+=("--checks=-clang-analyzer-*")
+  [[ $paths != --paths || $0 == tests/* ]] && options+=("--checks=-clang-analyzer-*")
   if clang-tidy-19 -p "$build" "${options[@]}" "$0" > "$1.log" 2>&1; then
     rm -f "$1.log"; touch "$1"
   else
