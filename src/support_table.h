@@ -25,13 +25,22 @@ public:
     [[nodiscard]] std::uint32_t furthest(std::span<const Vec3> vertices, const Topology& topology,
                                          const Vec3& direction) const {
         const Cell& cell = cells_[cellOf(direction)];
+        std::uint32_t best = cell[0];
         if (cell[1] == Topology::kNone) {
-            return climb(vertices, topology, direction, cell[0]);
+            return climb(vertices, topology, direction, best);
         }
-        const std::array<double, 4> heights{
-            glm::dot(direction, vertices[cell[0]]), glm::dot(direction, vertices[cell[1]]),
-            glm::dot(direction, vertices[cell[2]]), glm::dot(direction, vertices[cell[3]])};
-        return cell[firstHighest(heights)];
+#if defined(__wasm__)
+        const auto height = [&](std::size_t i) { return glm::dot(direction, vertices[cell[i]]); };
+        return cell[firstHighest({height(0), height(1), height(2), height(3)})];
+#else
+        double highest = glm::dot(direction, vertices[best]);
+        for (std::size_t i = 1; i < cell.size(); ++i) {
+            const double height = glm::dot(direction, vertices[cell[i]]);
+            best = height > highest ? cell[i] : best;
+            highest = height > highest ? height : highest;
+        }
+        return best;
+#endif
     }
 
 private:
@@ -45,8 +54,8 @@ private:
     std::vector<Cell> cells_;
 };
 
-/// Which way the directions go nobody can foresee: choices between numbers are made without branches, also where the
-/// compiler has no instruction for them (WebAssembly).
+// Which way the directions go nobody can foresee, and WebAssembly's choice between two numbers is a branch: there they
+// are made by comparing, counting and looking up, which gives the same.
 inline std::size_t SupportTable::firstHighest(const std::array<double, 4>& heights) {
     using Two [[gnu::vector_size(16)]] = double;
     const Two a{heights[0], heights[1]};
@@ -64,23 +73,35 @@ inline std::size_t SupportTable::cellOf(const Vec3& direction) const {
     const double x = std::fabs(direction.x);
     const double y = std::fabs(direction.y);
     const double z = std::fabs(direction.z);
+#if defined(__wasm__)
     const bool along_y = (y > x) & (y >= z);
     const bool along_z = (z > x) & !along_y;
     const std::size_t axis = static_cast<std::size_t>(along_y) + 2 * static_cast<std::size_t>(along_z);
     const std::array<double, 5> parts{direction.x, direction.y, direction.z, direction.x, direction.y};
     const double main = parts[axis];
+    const double first = parts[axis + 1];
+    const double second = parts[axis + 2];
     const double largest = std::fabs(main);
+#else
+    const bool along_y = y > x && y >= z;
+    const bool along_z = z > x && !along_y;
+    const std::size_t axis = along_y ? 1 : along_z ? 2 : 0;
+    const double largest = along_y ? y : along_z ? z : x;
+    const double main = along_y ? direction.y : along_z ? direction.z : direction.x;
+    const double first = along_y ? direction.z : along_z ? direction.x : direction.y;
+    const double second = along_y ? direction.x : along_z ? direction.y : direction.z;
+#endif
     if (!(largest > 0.0)) {
         return 0;
     }
-    const std::size_t face = 2 * axis + static_cast<std::size_t>(!(main > 0.0));
+    const std::size_t face = 2 * axis + (main > 0.0 ? 0 : 1);
     const double half = 0.5 * side_;
     const double scale = half / largest;
     const auto along = [&](double part) {
         return static_cast<std::size_t>(std::clamp(static_cast<std::int32_t>(part * scale + half), 0, side_ - 1));
     };
     const auto side = static_cast<std::size_t>(side_);
-    return (face * side + along(parts[axis + 1])) * side + along(parts[axis + 2]);
+    return (face * side + along(first)) * side + along(second);
 }
 
 } // namespace elastoon
