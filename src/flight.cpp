@@ -213,16 +213,16 @@ FlightBounds flightBounds(const Flight& flight, const Shape& shape, double from,
     FlightBounds bounds;
     bounds.speed = std::sqrt(climb * climb + flight.speed_across * flight.speed_across);
     bounds.longest = stretchAt(flight, bounds.speed);
-    double thin = 1.0;
+    double widening = 1.0;
     if (from < flight.ease->span) {
         bounds.longest = std::max(bounds.longest, flight.ease->stretch);
         bounds.flattest = std::min(1.0, flight.ease->stretch);
-        thin = std::sqrt(bounds.flattest);
+        widening = 1.0 / std::sqrt(bounds.flattest);
     }
     const double along = bounds.longest * shape.reachAlong();
-    const double across = shape.reachAcross() / thin;
+    const double across = shape.reachAcross() * widening;
     bounds.reach = std::min(std::sqrt(along * along + across * across),
-                            shape.boundingRadius() * std::max(bounds.longest, 1.0 / thin));
+                            shape.boundingRadius() * std::max(bounds.longest, widening));
     return bounds;
 }
 
@@ -240,7 +240,8 @@ double mostShapeRate(const Flight& flight, const Shape& shape, double from, doub
     const double easing = from < flight.ease->span ? 1.5 / flight.ease->span : 0.0;
     const double stretch_rate =
         pull * k * (flight.max_stretch - 1.0) / (damped * damped) + easing * (bounds.longest - bounds.flattest);
-    const double across_part = 0.5 * (shape.reachAcross() / std::sqrt(bounds.flattest)) / bounds.flattest;
+    const double thin = bounds.flattest < 1.0 ? bounds.flattest * std::sqrt(bounds.flattest) : 1.0;
+    const double across_part = 0.5 * shape.reachAcross() / thin;
     const double lengthening =
         stretch_rate * std::sqrt(shape.reachAlong() * shape.reachAlong() + across_part * across_part);
 

@@ -142,7 +142,7 @@ std::optional<Drum> drumAboutContact(const Phase& phase, double reach, double to
     // The centroid is within one reach of the material point that stays over the contact, the rest one further. What
     // lies on the plane goes no higher than two. On a solid the body is let down, till it touches, no further than
     // where that point is on the plane; it may hang over an edge. Where it skims off the face, that point may sink by
-    // two more. A push moves it by two (push.cpp, kMostPush), and up from what it meets there.
+    // two more. A push moves it by two (push.h, longestPush), and up from what it meets there.
     const bool skims = impact->skims != Vec3(0.0);
     const double pushed = phase.clear_of.empty() ? 0.0 : 6.0 * reach;
     const double hangs = impact->surface.solid ? (skims ? 4.0 : 2.0) * reach : 0.0;

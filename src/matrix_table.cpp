@@ -158,7 +158,8 @@ void MatrixTable::takeFlights(std::size_t index, double t, std::vector<BodySlot>
 void MatrixTable::writePosed(std::span<const std::uint32_t> slots, double t, const std::vector<BodySlot>& bodies) {
     constexpr std::size_t kSlotsAhead = 8;
     constexpr std::size_t kRestAhead = 4;
-    Impacts impacts;
+    // What others have left in its lanes is worked out and not used: cheaper than to clear them.
+    thread_local Impacts impacts;
     for (std::size_t i = 0; i < slots.size(); ++i) {
         if (i + kSlotsAhead < slots.size()) {
             prefetchSlot(bodies[slots[i + kSlotsAhead]]);

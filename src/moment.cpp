@@ -2,6 +2,7 @@
 #include "contact.h"
 #include "impact.h"
 #include "push.h"
+#include "room.h"
 #include "rotation.h"
 #include "slide.h"
 #include "step.h"

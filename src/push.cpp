@@ -25,8 +25,6 @@ constexpr double kRounding = 1e-12;
 /// A way along the surface shorter than this (of a unit normal) is none: a wedge under 15 degrees lets nothing out.
 constexpr double kLeastWay = 0.25;
 constexpr std::size_t kMostBarriers = 16;
-/// A body is pushed aside by at most this many times its (stretched) radius.
-constexpr double kMostPush = 2.0;
 /// Of looking for a shift that clears all and changes no more.
 constexpr int kMostRounds = 24;
 /// What may be left of a depth after that many, as a share of the length.
@@ -148,9 +146,7 @@ public:
 
 private:
     [[nodiscard]] double leastGap() const;
-    [[nodiscard]] double mostShift() const {
-        return kMostPush * shape_.boundingRadius() * std::max(own_.stretch, 1.0 / std::sqrt(own_.stretch));
-    }
+    [[nodiscard]] double mostShift() const { return longestPush(shape_, own_.stretch); }
     [[nodiscard]] std::optional<Vec3> nextShift();
     void cut(const KeptClear& kept);
     bool activateNext();
@@ -320,12 +316,45 @@ bool Mover::solve() {
 
 } // namespace
 
+namespace {
+
+/// On a plane, or on nothing, and beside one plane alone the gap is linear in the shift. None where that is not so, or
+/// no shift helps.
+std::optional<Vec3> shiftOffOne(const Phase& phase, const Shape& shape, double t, const Pose& own) {
+    const Surface* primary = surfaceOf(phase);
+    if (phase.clear_of.size() != 1 || (primary != nullptr && primary->solid)) {
+        return std::nullopt;
+    }
+    const KeptClear& kept = phase.clear_of.front();
+    const double gap = t > kept.until ? 0.0 : gapTo(kept.surface, shape, own, t);
+    if (gap >= -kRounding * shape.length()) {
+        return Vec3(0.0);
+    }
+    const Vec3 other = kept.surface.normalAt(t);
+    const Vec3 way = primary != nullptr ? wayAlong(primary->normalAt(t), other) : other;
+    const double squared = glm::dot(way, way);
+    const Vec3 shift = squared > 0.0 ? way * (-gap / squared) : Vec3(0.0);
+    const double most = longestPush(shape, own.stretch);
+    return squared > 0.0 && glm::dot(shift, shift) <= most * most ? std::optional(shift) : std::nullopt;
+}
+
+} // namespace
+
 bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose) {
     const Pose own = pose;
+    if (const auto shift = shiftOffOne(phase, shape, t, own)) {
+        pose.position += *shift;
+        return true;
+    }
     Mover mover(phase, shape, t, own);
     const bool clear = mover.run();
     pose = mover.pose();
     return clear;
+}
+
+double longestPush(const Shape& shape, double stretch) {
+    constexpr double kMostPush = 2.0;
+    return kMostPush * shape.boundingRadius() * std::max(stretch, 1.0 / std::sqrt(stretch));
 }
 
 const Surface* surfaceOf(const Phase& phase) {
@@ -377,16 +406,6 @@ std::optional<Vec3> leastPush(std::span<const Barrier> all, double most) {
     return best && glm::dot(*best, *best) <= most * most ? best : std::nullopt;
 }
 
-namespace {
-
-struct Fit {
-    Pose pose;
-    bool fits = true;
-    Vec3 shift{0.0}; ///< from where its own motion puts it
-
-    [[nodiscard]] double moved() const { return glm::length(shift); }
-};
-
 Fit fitted(const Phase& phase, const Shape& shape, double t) {
     const Pose own = ownPose(phase, shape, t);
     Pose pose = own;
@@ -401,110 +420,8 @@ Fit fitted(const Phase& phase, const Shape& shape, double t) {
     return {flat.pose, flat.fits};
 }
 
-} // namespace
-
 Pose keptClear(const Phase& phase, const Shape& shape, double t) {
     return fitted(phase, shape, t).pose;
-}
-
-namespace {
-
-/// A part of a phase, and how the body is kept clear at its ends.
-struct Span {
-    double from, to;
-    Fit at_from, at_to;
-};
-
-/// The last time, to rounding, at which the body of a span fits that fits at its begin and not at its end.
-double lastFit(const Phase& phase, const Shape& shape, const Span& span, double nearly) {
-    double fits_at = span.from;
-    double blocked = span.to;
-    while (blocked - fits_at > nearly) {
-        const double middle = fits_at + 0.5 * (blocked - fits_at);
-        if (middle <= fits_at || middle >= blocked) {
-            break;
-        }
-        (fitted(phase, shape, middle).fits ? fits_at : blocked) = middle;
-    }
-    return fits_at;
-}
-
-/// A move must begin or end at nothing, and be followed by one nearby: else the body would jump. The span between the
-/// two sides of a jump, or with no room at its end; none where there is neither.
-std::optional<Span> jumpWithin(const Phase& phase, const Shape& shape, Span span) {
-    constexpr int kHalvings = 8;
-    const double length = shape.length();
-    const double moves = 1e-9 * length;
-    const double far = 0.02 * length;
-    const double jumps = 1e-2 * length;
-    const auto step = [](const Fit& a, const Fit& b) { return glm::length(b.shift - a.shift); };
-    for (int i = 0; i < kHalvings; ++i) {
-        const bool begins = (span.at_from.moved() > moves) != (span.at_to.moved() > moves);
-        if (!begins && step(span.at_from, span.at_to) <= (i == 0 ? far : jumps)) {
-            return std::nullopt;
-        }
-        const double middle = span.from + 0.5 * (span.to - span.from);
-        const Fit fit = fitted(phase, shape, middle);
-        if (!fit.fits) {
-            return Span{span.from, middle, span.at_from, fit};
-        }
-        const bool later = begins ? (fit.moved() > moves) == (span.at_from.moved() > moves)
-                                  : step(fit, span.at_to) > step(span.at_from, fit);
-        if (later) {
-            span.from = middle;
-            span.at_from = fit;
-        } else {
-            span.to = middle;
-            span.at_to = fit;
-        }
-    }
-    return step(span.at_from, span.at_to) > jumps ? std::optional(span) : std::nullopt;
-}
-
-/// The first part of the time after which the body has no room, or jumps, as far as looking often shows.
-std::optional<Span> firstBlocked(const Phase& phase, const Shape& shape, double from, double to) {
-    constexpr std::size_t kLooks = 16;
-    // What has just come near closes in fastest: also at these shares.
-    constexpr std::array<double, 3> kSoon{1.0 / 4096.0, 1.0 / 256.0, 1.0 / 64.0};
-    Span span{from, from, fitted(phase, shape, from), {}};
-    if (!span.at_from.fits) {
-        return span;
-    }
-    for (std::size_t i = 0; i < kSoon.size() + kLooks; ++i) {
-        const double share = i < kSoon.size() ? kSoon[i] : static_cast<double>(i - kSoon.size() + 1) / kLooks;
-        span.to = share == 1.0 ? to : from + (to - from) * share;
-        span.at_to = fitted(phase, shape, span.to);
-        if (!span.at_to.fits) {
-            return span;
-        }
-        if (const auto jump = jumpWithin(phase, shape, span)) {
-            return jump;
-        }
-        span.from = span.to;
-        span.at_from = span.at_to;
-    }
-    return std::nullopt;
-}
-
-} // namespace
-
-double blockedAt(const Phase& phase, const Shape& shape, double from, double to) {
-    constexpr int kMostNarrowings = 8;
-    const double nearly = 1e-9 * (to - from);
-    double end = to;
-    // Where it is first found blocked it may have been blocked before: it is looked at again, more closely.
-    for (int narrowing = 0; narrowing < kMostNarrowings; ++narrowing) {
-        const auto blocked = firstBlocked(phase, shape, from, end);
-        if (!blocked) {
-            return end;
-        }
-        end = blocked->at_to.fits ? blocked->from : lastFit(phase, shape, *blocked, nearly);
-    }
-    return end;
-}
-
-double blockedAt(const Phase& phase, const Shape& shape) {
-    return blockedAt(phase, shape, phase.start, phase.end);
 }
 
 double pushGain(const Phase& phase, double t) {

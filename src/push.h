@@ -29,15 +29,22 @@ struct Barrier {
 /// pose is then somewhere on the way.
 [[nodiscard]] bool moveClear(const Phase& phase, const Shape& shape, double t, Pose& pose);
 
+/// A pose that is kept clear.
+struct Fit {
+    Pose pose;
+    bool fits = true; ///< else there is no room for the body
+    Vec3 shift{0.0}; ///< from where the phase's own motion puts it; of a body that no move helps, zero
+
+    [[nodiscard]] double moved() const { return glm::length(shift); }
+};
+
 /// The phase's pose, moved (in an impact or at rest: along the surface) out of what it is to be kept clear of; where no
 /// move helps, squashed or stretched until it fits.
+[[nodiscard]] Fit fitted(const Phase& phase, const Shape& shape, double t);
 [[nodiscard]] Pose keptClear(const Phase& phase, const Shape& shape, double t);
 
-/// When the body of an impact that is kept clear of others first finds no room to go on; the phase's end if it does
-/// not.
-[[nodiscard]] double blockedAt(const Phase& phase, const Shape& shape);
-/// Likewise of any phase but a flight, within [from, to]; `to` if it finds room until then.
-[[nodiscard]] double blockedAt(const Phase& phase, const Shape& shape, double from, double to);
+/// A push moves a body by at most twice its (stretched) radius, m.
+[[nodiscard]] double longestPush(const Shape& shape, double stretch);
 
 /// How much faster than the surfaces and the body's own motion the push can be, at time t: 0 without one.
 [[nodiscard]] double pushGain(const Phase& phase, double t);

@@ -21,23 +21,31 @@ struct Turn {
     double angle = 0.0;
 };
 
+/// A turn by what half of it needs.
+struct HalfTurn {
+    Vec3 axis;
+    double sine, cosine;
+};
+
 /// The smallest turn from `from` to `to` (unit). Of the half turns it takes the one through `via` (unit, or zero: any).
-[[nodiscard]] inline Turn turnBetween(const Vec3& from, const Vec3& to, const Vec3& via = Vec3(0.0)) {
-    const double sum = glm::length(from + to);
-    const double difference = glm::length(from - to);
-    const double angle = 2.0 * detAtan2(difference, sum);
+[[nodiscard]] inline HalfTurn halfTurnBetween(const Vec3& from, const Vec3& to, const Vec3& via = Vec3(0.0)) {
+    const double cosine = 0.5 * glm::length(from + to);
+    const double sine = 0.5 * glm::length(from - to);
     const Vec3 cross = glm::cross(from, to);
-    const double sine = glm::length(cross);
-    if (sine > 1e-9) {
-        return {cross / sine, angle};
+    const double length = glm::length(cross);
+    if (length > 1e-9) {
+        return {cross / length, sine, cosine};
     }
     const Vec3 through = glm::cross(from, via);
     const double weight = glm::length(through);
     const Vec3 fallback = weight > 1e-9 ? through / weight : anyAcross(from);
-    if (sum < 1.0) {
-        return {fallback, angle};
-    }
-    return {sine > 0.0 ? cross / sine : fallback, angle};
+    return {length > 0.0 && cosine >= 0.5 ? cross / length : fallback, sine, cosine};
+}
+
+/// Likewise.
+[[nodiscard]] inline Turn turnBetween(const Vec3& from, const Vec3& to, const Vec3& via = Vec3(0.0)) {
+    const HalfTurn half = halfTurnBetween(from, to, via);
+    return {half.axis, 2.0 * detAtan2(half.sine, half.cosine)};
 }
 
 [[nodiscard]] inline Quat rotationAbout(const Vec3& axis, double angle) {
@@ -45,9 +53,10 @@ struct Turn {
     return {half.cos, axis.x * half.sin, axis.y * half.sin, axis.z * half.sin};
 }
 
-[[nodiscard]] inline Quat rotationBetween(const Vec3& from, const Vec3& to, const Vec3& via = Vec3(0.0)) {
-    const Turn turn = turnBetween(from, to, via);
-    return rotationAbout(turn.axis, turn.angle);
+/// Likewise.
+[[nodiscard]] inline Quat rotationBetween(const Vec3& from, const Vec3& to) {
+    const HalfTurn half = halfTurnBetween(from, to);
+    return {half.cosine, half.axis.x * half.sine, half.axis.y * half.sine, half.axis.z * half.sine};
 }
 
 [[nodiscard]] inline Vec3 principalAxis(const Quat& orientation) {

@@ -3,6 +3,7 @@
 
 #include "contact.h"
 #include "push.h"
+#include "room.h"
 #include "squeeze.h"
 #include "touch.h"
 
@@ -283,7 +284,7 @@ double advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double
     int events = 0;
     while (events < kMostEventsPerStep && at_once < kMostEventsAtOnce) {
         if (body.plan.version == around.version && body.plan.time > to && to <= body.plan.looked_until) {
-            return std::min(body.plan.looked_until, std::nextafter(body.plan.time, -kNever));
+            return std::min(body.plan.looked_until, body.plan.time);
         }
         if (body.plan.version != around.version || body.plan.time > to) {
             planAhead(around, body, t);

@@ -215,7 +215,7 @@ private:
     Happenings& out_;
 };
 
-/// Moves one body from time `from` to `to` through all its phases. Gives the time, not before `to`, until which nothing
+/// Moves one body from time `from` to `to` through all its phases. Gives the time, not before `to`, before which nothing
 /// else happens to it in these surroundings.
 double advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out);
 

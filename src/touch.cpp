@@ -54,12 +54,12 @@ struct Approach {
         const Vec3 velocity = flightVelocity(flight, t - phase.start);
         return glm::dot(velocity - surface.frame.velocity, normalAt(t));
     }
-    /// What may close the gap within [t, t + span] besides the centroid's own way along the normal, m/s.
-    [[nodiscard]] double otherRate(double t, double span) const {
+    /// What may close the gap within [t, t + span] besides the centroid's own way along the normal, m/s; `bounds` hold
+    /// for as long, or longer.
+    [[nodiscard]] double otherRate(double t, double span, const FlightBounds& bounds) const {
         const double elapsed = t - phase.start;
-        const FlightBounds bounds = flightBounds(flight, shape, elapsed, elapsed + span);
         const double shape_rate = mostShapeRate(flight, shape, elapsed, elapsed + span, bounds);
-        double rate = shape_rate + pushRate(t, span, bounds);
+        double rate = shape_rate + pushRate(t, span, bounds, shape_rate);
         const double spin = glm::length(surface.frame.angular_velocity);
         if (spin > 0.0) {
             const double arm = glm::length(flight.position - surface.frame.originAt(phase.start)) + bounds.reach +
@@ -68,14 +68,14 @@ struct Approach {
         }
         return rate;
     }
-    /// Greatest speed of the push off what the flight leaves.
-    [[nodiscard]] double pushRate(double t, double span, const FlightBounds& bounds) const {
-        if (phase.clear_of.empty() || t >= phase.free_from) {
+    [[nodiscard]] bool isPushed(double t) const { return !phase.clear_of.empty() && t < phase.free_from; }
+    /// Greatest speed of the push off what the flight leaves; `shape_rate` is mostShapeRate() of that time.
+    [[nodiscard]] double pushRate(double t, double span, const FlightBounds& bounds, double shape_rate) const {
+        if (!isPushed(t)) {
             return 0.0;
         }
         const double gain = pushGain(phase, t);
         const double elapsed = t - phase.start;
-        const double shape_rate = mostShapeRate(flight, shape, elapsed, elapsed + span, bounds);
         double rate = 0.0;
         for (const KeptClear& kept : phase.clear_of) {
             const MovingFrame& frame = kept.surface.frame;
@@ -89,7 +89,7 @@ struct Approach {
     /// Whether the widest bounding ball of the whole flight shows, quickly, that nothing touches within [from, to].
     [[nodiscard]] bool staysFar(double from, double to) const;
     /// Until when the bounding ball's way shows that nothing touches, within [from, to]; at least `from`.
-    [[nodiscard]] double farUntil(double from, double to) const;
+    [[nodiscard]] double farUntil(double from, double to, const FlightBounds& bounds) const;
 };
 
 /// Time after which height + speed t + pull t^2 / 2 first reaches zero; height > 0. Infinite if never.
@@ -112,8 +112,7 @@ bool Approach::staysFar(double from, double to) const {
     const double longest = std::max(flight.max_stretch, flight.ease->stretch);
     const double flattest = std::min(1.0, flight.ease->stretch);
     const double widest = shape.boundingRadius() * std::max(longest, 1.0 / std::sqrt(flattest));
-    const bool pushed = !phase.clear_of.empty() && from < phase.free_from;
-    const double reach = widest * (pushed ? 1.0 + kPushReach * pushGain(phase, from) : 1.0);
+    const double reach = widest * (isPushed(from) ? 1.0 + kPushReach * pushGain(phase, from) : 1.0);
     const double elapsed = from - phase.start;
     const double span = to - from;
     const Vec3 position = flight.position + (flight.velocity + flight.gravity * (0.5 * elapsed)) * elapsed;
@@ -128,14 +127,14 @@ bool Approach::staysFar(double from, double to) const {
     return least > kMore * reach;
 }
 
-double Approach::farUntil(double from, double to) const {
+double Approach::farUntil(double from, double to, const FlightBounds& bounds) const {
     if (turns) {
         return from;
     }
     const double span = to - from;
-    const FlightBounds bounds = flightBounds(flight, shape, from - phase.start, to - phase.start);
-    const double push = pushRate(from, span, bounds);
-    if (push > 0.0) {
+    if (isPushed(from)) {
+        const double shape_rate = mostShapeRate(flight, shape, from - phase.start, to - phase.start, bounds);
+        const double push = pushRate(from, span, bounds, shape_rate);
         const double way = (bounds.speed + push + glm::length(surface.frame.velocity)) * span;
         const Vec3 position = poseAt(phase, shape, from).position;
         return glm::dot(position - pointAt(from), normal) > bounds.reach + way ? to : from;
@@ -222,7 +221,9 @@ namespace {
 /// Conservative advancement from a time at which the body is apart from the plane or touches it.
 std::optional<double> advance(const Approach& approach, double from, double to, double give_up) {
     const double length = approach.shape.length();
-    double t = approach.farUntil(from, to);
+    const double start = approach.phase.start;
+    const FlightBounds bounds = flightBounds(approach.flight, approach.shape, from - start, to - start);
+    double t = approach.farUntil(from, to, bounds);
     if (t >= to && to > from) {
         return std::nullopt;
     }
@@ -237,11 +238,11 @@ std::optional<double> advance(const Approach& approach, double from, double to, 
         const double speed = approach.partingSpeed(t);
         const double pull =
             approach.turns ? -glm::length(approach.flight.gravity) : glm::dot(approach.flight.gravity, approach.normal);
-        const double rate_now = approach.otherRate(t, 0.0);
+        const double rate_now = approach.otherRate(t, 0.0, bounds);
         // Look ahead about twice as far as today's rates say that nothing can happen, and bound the rates over that.
         const double guess = timeToZero(gap, speed - rate_now, pull);
         const double span = std::min(2.0 * guess, to - t);
-        const double rate = approach.otherRate(t, span);
+        const double rate = approach.otherRate(t, span, bounds);
         if (!approach.turns && speed + std::max(0.0, pull) * span + rate < 0.0) {
             // It comes nearer all the time: there is one root, or none.
             const double ahead = span < to - t ? t + span : to;

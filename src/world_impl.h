@@ -22,7 +22,7 @@ struct World::Impl {
     StepProfile profile;
     double time = 0.0;
     std::vector<BodySlot> bodies;
-    /// By body slot: nothing happens to the body until then, in surroundings of version `quiet_version`. A copy of what
+    /// By body slot: nothing happens to the body before, in surroundings of version `quiet_version`. A copy of what
     /// its plan says, for the step to run over.
     std::vector<double> quiet_until;
     std::uint32_t quiet_version = 0;

@@ -102,18 +102,18 @@ void World::Impl::advanceBodies(double to) {
         constexpr std::size_t kSlotsAhead = 6;
         constexpr std::size_t kRestAhead = 3;
         thread_local std::vector<std::size_t> busy;
-        busy.clear();
+        busy.resize(std::max(busy.size(), end - begin));
+        std::size_t count = 0;
         for (std::size_t i = begin; i < end; ++i) {
-            if (to > quiet_until[i]) {
-                busy.push_back(i);
-            }
+            busy[count] = i; // without a branch: who is busy nobody can foresee
+            count += to >= quiet_until[i] ? 1 : 0;
         }
-        for (std::size_t k = 0; k < busy.size(); ++k) {
-            if (k + kSlotsAhead < busy.size()) {
+        for (std::size_t k = 0; k < count; ++k) {
+            if (k + kSlotsAhead < count) {
                 prefetchSlot(bodies[busy[k + kSlotsAhead]]);
                 matrices.prefetchFlight(busy[k + kSlotsAhead]);
             }
-            if (k + kRestAhead < busy.size()) {
+            if (k + kRestAhead < count) {
                 prefetchRest(bodies[busy[k + kRestAhead]]);
             }
             const std::size_t i = busy[k];

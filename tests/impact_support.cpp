@@ -4,7 +4,7 @@
 #include "contact.h"
 #include "flight.h"
 #include "impact.h"
-#include "push.h"
+#include "room.h"
 #include "touch.h"
 #include "watch.h"
 
@@ -43,6 +43,29 @@ std::optional<Struck> randomImpact(Random& random, int i) {
     return struck;
 }
 
+namespace {
+
+/// Half as far from the body as what is near to it.
+KeptClear nearPlane(const Vec3& normal, const Shape& shape, const Pose& pose) {
+    KeptClear kept;
+    kept.surface.normal = normal;
+    kept.surface.point = pose.position;
+    const double gap = gapTo(kept.surface, shape, pose, 0.0);
+    kept.surface.point += normal * (gap - 0.5 * kNearGap * shape.length());
+    return kept;
+}
+
+} // namespace
+
+std::optional<Struck> randomImpactByWall(Random& random, int i) {
+    auto struck = randomImpact(random, i);
+    if (struck) {
+        const Pose pose = poseAt(struck->phase, *struck->shape, struck->phase.start);
+        struck->phase.clear_of.push_back(nearPlane(random.direction(), *struck->shape, pose));
+    }
+    return struck;
+}
+
 std::optional<Struck> randomSteepImpact(Random& random, int i) {
     static const ShapePtr ground = valueOf(Shape::box({1.0, 0.8, 1.2}));
     std::optional<Struck> struck = randomImpact(random, 1);
@@ -76,14 +99,10 @@ std::optional<Struck> randomSteepImpact(Random& random, int i) {
     struck->phase.start = impact->begun;
     struck->phase.motion = *impact;
     if (i % 2 == 0) {
-        KeptClear kept;
         const Vec3 normal = touch->surface.normalAt(0.0);
         const Vec3 across = glm::normalize(glm::cross(normal, random.direction()));
-        kept.surface.normal = glm::normalize(across + random.uniform(-0.5, 0.5) * normal);
-        kept.surface.point = touching.pose.position;
-        const double gap = gapTo(kept.surface, *struck->shape, touching.pose, 0.0);
-        kept.surface.point += kept.surface.normal * (gap - 0.5 * kNearGap * struck->shape->length());
-        struck->phase.clear_of.push_back(kept);
+        struck->phase.clear_of.push_back(
+            nearPlane(glm::normalize(across + random.uniform(-0.5, 0.5) * normal), *struck->shape, touching.pose));
         struck->phase.end = blockedAt(struck->phase, *struck->shape);
     }
     return struck;

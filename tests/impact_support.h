@@ -17,6 +17,9 @@ struct Struck {
 /// One half of the curve may take hardly any time: then it is fast. None where nothing is struck.
 [[nodiscard]] std::optional<Struck> randomImpact(Random& random, int i);
 
+/// A random impact on the ground beside a plane that it is kept clear of, which leans any way: some find no room.
+[[nodiscard]] std::optional<Struck> randomImpactByWall(Random& random, int i);
+
 /// An impact on a box, most often on an edge or a corner of it, every other one beside a plane that it is kept clear
 /// of.
 [[nodiscard]] std::optional<Struck> randomSteepImpact(Random& random, int i);

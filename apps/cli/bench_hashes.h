@@ -14,11 +14,11 @@ struct BenchScene {
 };
 
 inline constexpr BenchScene kBenchScenes[] = {
-    {"flight", 10000, 0x68447d81254bb965},  //
-    {"rain", 10000, 0x0a4a3970e1bb0c4b},    //
-    {"ballpit", 10000, 0xba732dbbd65d88be}, //
-    {"pachinko", 1000, 0x5449bb3b2e022909}, //
-    {"corners", 1000, 0xf5013a36e3e21972},
+    {"flight", 10000, 0x294dfcefd2e71cd5},  //
+    {"rain", 10000, 0x48ed15b8a8cd458a},    //
+    {"ballpit", 10000, 0x388f3d936d7d4c1c}, //
+    {"pachinko", 1000, 0x8e39d8e44d3d118c}, //
+    {"corners", 1000, 0x3f148b536fdb2005},
 };
 
 } // namespace elastoon
