@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace elastoon {
 
@@ -25,6 +27,26 @@ struct Figures {
     double ours = kNan, rigid = kNan, soft = kNan;
     double rigid_ratio = kNan, soft_ratio = kNan;
 };
+
+/// That all do the same: they stay inside; in the rain they go on bouncing, and keep about their size.
+void judgeJob(const BenchWorld& scene, std::span<WorldContender* const> contenders, Report& report,
+              const std::string& name) {
+    constexpr const char* kWhose[] = {"our", "the rigid", "the soft"};
+    constexpr double kLeastHeight = 0.5; // of our bodies'
+    constexpr double kMostRadius = 4.0 / 3.0; // of the shape's
+    const double our_height = lookAround(scene, *contenders[0]).mean_height;
+    for (std::size_t i = 0; i < contenders.size(); ++i) {
+        const Crowdedness seen = lookAround(scene, *contenders[i]);
+        report.errorAtMost(name + fmt::format(": share of {} bodies outside", kWhose[i]), 1.0 - seen.inside, 0.0);
+        if (scene.name == "rain") {
+            report.errorAtMost(name + fmt::format(": {} bodies' height, what half of ours is more", kWhose[i]),
+                               std::max(0.0, kLeastHeight * our_height - seen.mean_height), 0.0);
+        }
+        const double most = kMostRadius * scene.shape->boundingRadius();
+        report.errorAtMost(name + fmt::format(": {} bodies' radius, what is more than a third too much", kWhose[i]),
+                           std::max(0.0, contenders[i]->meanRadius() - most), 0.0);
+    }
+}
 
 Figures measure(const BenchWorld& scene, bool soft, const Effort& effort, Report& report, const std::string& name,
                 std::uint64_t& hash) {
@@ -58,11 +80,7 @@ Figures measure(const BenchWorld& scene, bool soft, const Effort& effort, Report
         figures.soft = median(samples[2]);
         figures.soft_ratio = medianRatio(samples[2], samples[0]);
     }
-    for (std::size_t i = 0; i < contenders.size(); ++i) {
-        constexpr const char* kWhose[] = {"our", "the rigid", "the soft"};
-        report.errorAtMost(name + fmt::format(": share of {} bodies outside", kWhose[i]),
-                           1.0 - lookAround(scene, *contenders[i]).inside, 0.0);
-    }
+    judgeJob(scene, contenders, report, name);
     return figures;
 }
 

@@ -21,6 +21,8 @@ public:
     /// By 1/60 s; every body's matrix is written.
     virtual void step() = 0;
     [[nodiscard]] virtual std::vector<Vec3> places() const = 0;
+    /// m, of the vertices from their body's centre; 0 where bodies keep their size anyhow.
+    [[nodiscard]] virtual double meanRadius() const { return 0.0; }
     [[nodiscard]] virtual std::uint64_t hash() const { return 0; }
 };
 
