@@ -92,8 +92,8 @@ private:
 double reachTowards(const Shape& shape, const Pose& pose, const Vec3& direction) {
     const Vec3 turned = glm::conjugate(pose.orientation) * direction;
     const double root = std::sqrt(pose.stretch);
-    const Vec3 vertex = shape.vertices()[supportOf(shape, {pose.stretch * root * turned.x, turned.y, turned.z})];
-    return pose.stretch * turned.x * vertex.x + (turned.y * vertex.y + turned.z * vertex.z) / root;
+    const double across = 1.0 / root;
+    return across * reachOf(shape, {pose.stretch * root * turned.x, turned.y, turned.z});
 }
 
 double gapTo(const Surface& surface, const Shape& shape, const Pose& pose, double t) {
@@ -176,17 +176,42 @@ Vec3 contactWithSolid(const Shape& shape, const Pose& pose, const Surface& surfa
     return closest.overlap ? plane.lifted(middle) : closest.point_b;
 }
 
+/// The vertex of the posed shape that lies furthest in `direction` (world, unit), where no other does within `slack` m:
+/// what a body touches with that does not lie flat.
+std::optional<Vec3> onlySupport(const Shape& shape, const Pose& pose, const Vec3& direction, double slack) {
+    const Vec3 in_shape = scaleOf(pose.stretch) * (glm::conjugate(pose.orientation) * direction);
+    const auto vertices = shape.vertices();
+    const Topology& topology = shape.topology();
+    if (!topology.closed || !topology.climbable) {
+        return std::nullopt;
+    }
+    const auto highest = static_cast<std::uint32_t>(supportOf(shape, in_shape));
+    const double least = glm::dot(in_shape, vertices[highest]) - slack;
+    const auto around = topology.neighborsOf(highest);
+    const bool alone = std::none_of(around.begin(), around.end(),
+                                    [&](std::uint32_t next) { return glm::dot(in_shape, vertices[next]) >= least; });
+    return alone ? std::optional(worldFromShape(pose, vertices[highest])) : std::nullopt;
+}
+
+/// Whether the surface's plane holds a face of its solid, and that has the point (in the frame) over it.
+bool isOverItsFace(const Surface& surface, const Vec3& point) {
+    const auto face = faceOf(surface);
+    return face && isOverFace(*surface.solid, *face, point);
+}
+
 } // namespace
 
 Vec3 contactPoint(const Shape& shape, const Pose& pose, const Surface& surface, double t) {
+    const Vec3 normal = surface.normalAt(t);
+    const double slack = (surface.solid ? kSolidFlatness : kFlatness) * shape.length();
+    const auto only = onlySupport(shape, pose, -normal, slack);
+    if (only && (!surface.solid || isOverItsFace(surface, surface.frame.frameFromWorld(t, *only)))) {
+        return *only;
+    }
     if (surface.solid) {
         return contactWithSolid(shape, pose, surface, t);
     }
-    const Vec3 normal = surface.normalAt(t);
-    const std::vector<Vec3> region = supportRegion(shape, pose, -normal, kFlatness * shape.length());
-    if (region.size() == 1) {
-        return region.front();
-    }
+    const std::vector<Vec3> region = supportRegion(shape, pose, -normal, slack);
     const Plane plane(region.front(), normal);
     return plane.lifted(middleOf(plane.flattened(region)));
 }

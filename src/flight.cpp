@@ -41,7 +41,7 @@ Vec3 worldOf(const Flight& flight, const Heading& heading) {
 }
 
 /// The turn from straight up to the heading, in the plane of the parabola; stable up to straight down.
-Quat turnFromUp(const Flight& flight, double elapsed) {
+inline Quat turnFromUp(const Flight& flight, double elapsed) {
     const Heading raw = rawHeadingAt(flight, elapsed);
     // Half of the angle is that of (length + |up|, across).
     const double length = std::sqrt(raw.up * raw.up + raw.across * raw.across);

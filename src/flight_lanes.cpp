@@ -7,6 +7,15 @@
 
 namespace elastoon {
 
+Falling::Falling(const Vec3& all) {
+    const double length = glm::length(all);
+    const bool falls = length > kLeastPull;
+    pull = falls ? length : 0.0;
+    gravity = falls ? all : Vec3(0.0);
+    up = falls ? -all / pull : Vec3(0.0);
+    turns = falls ? 1.0 : 0.0;
+}
+
 void FlightLanes::set(std::size_t lane, double began, const Flight& flight) {
     Eight& eight = eights[lane / kTogether];
     const std::size_t i = lane % kTogether;
@@ -48,15 +57,13 @@ namespace {
 #define ELASTOON_LANE_LOOP
 #endif
 
-[[gnu::always_inline]] inline void poseEight(const FlightLanes::Eight& in, const Vec3& gravity, double t,
+[[gnu::always_inline]] inline void poseEight(const FlightLanes::Eight& in, const Falling& falling, double t,
                                              std::size_t first, Columns& out) {
-    const double all_pull = glm::length(gravity);
-    const bool falls = all_pull > kLeastPull;
-    const double pull = falls ? all_pull : 0.0;
-    const Vec3 g = falls ? gravity : Vec3(0.0);
-    const Vec3 up = falls ? -gravity / pull : Vec3(0.0);
-    // What does not fall does not turn: it is a reversal straight up.
-    const double turns = falls ? 1.0 : 0.0;
+    const double pull = falling.pull;
+    const Vec3 g = falling.gravity;
+    const Vec3 up = falling.up;
+    // What does not turn is a reversal straight up.
+    const double turns = falling.turns;
     ELASTOON_LANE_LOOP
     for (std::size_t i = 0; i < FlightLanes::kTogether; ++i) {
         const double elapsed = t - in.start[i];
@@ -103,29 +110,29 @@ namespace {
     }
 }
 
-[[gnu::always_inline]] inline void poseHere(const FlightLanes& in, const Vec3& gravity, double t, Columns& out) {
+[[gnu::always_inline]] inline void poseHere(const FlightLanes& in, const Falling& falling, double t, Columns& out) {
     for (std::size_t k = 0; k < in.eights.size(); ++k) {
-        poseEight(in.eights[k], gravity, t, k * FlightLanes::kTogether, out);
+        poseEight(in.eights[k], falling, t, k * FlightLanes::kTogether, out);
     }
 }
 
 #if defined(__x86_64__)
 // Wider registers where there are some; no fused operations, so that the bits are the same.
-[[gnu::target("avx2")]] void poseWide(const FlightLanes& in, const Vec3& gravity, double t, Columns& out) {
-    poseHere(in, gravity, t, out);
+[[gnu::target("avx2")]] void poseWide(const FlightLanes& in, const Falling& falling, double t, Columns& out) {
+    poseHere(in, falling, t, out);
 }
 
 } // namespace
 
-void poseFlights(const FlightLanes& in, const Vec3& gravity, double t, Columns& out) {
+void poseFlights(const FlightLanes& in, const Falling& falling, double t, Columns& out) {
     static const bool kWide = __builtin_cpu_supports("avx2");
-    kWide ? poseWide(in, gravity, t, out) : poseHere(in, gravity, t, out);
+    kWide ? poseWide(in, falling, t, out) : poseHere(in, falling, t, out);
 }
 #else
 } // namespace
 
-void poseFlights(const FlightLanes& in, const Vec3& gravity, double t, Columns& out) {
-    poseHere(in, gravity, t, out);
+void poseFlights(const FlightLanes& in, const Falling& falling, double t, Columns& out) {
+    poseHere(in, falling, t, out);
 }
 #endif
 

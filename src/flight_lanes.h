@@ -28,7 +28,16 @@ struct FlightLanes {
     void get(std::size_t lane, const Vec3& gravity, Flight& flight) const;
 };
 
+/// What all flights in lanes have of the gravity.
+struct Falling {
+    explicit Falling(const Vec3& gravity);
+
+    Vec3 gravity, up;
+    double pull;
+    double turns; ///< 1; 0 where nothing falls, so nothing turns
+};
+
 /// What completeFlight(), unpushedPose() and linearOf() do, in the same order.
-void poseFlights(const FlightLanes& in, const Vec3& gravity, double t, Columns& out);
+void poseFlights(const FlightLanes& in, const Falling& falling, double t, Columns& out);
 
 } // namespace elastoon

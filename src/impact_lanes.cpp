@@ -54,11 +54,11 @@ namespace {
 
 /// Of the poses, in the surface's frame: all but the way that lifts the body until it touches.
 struct Lying {
-    Row stretch, root; ///< root: of the stretch
+    Row stretch, thin; ///< thin: 1 / root of the stretch
     std::array<Row, 4> turn; ///< w, x, y, z
     std::array<Row, 3> position;
-    std::array<Row, 3> down; ///< into the plane, in the body's frame
-    std::array<Row, 3> lowest; ///< the vertex that lies furthest that way
+    std::array<Row, 3> down; ///< into the plane, in the shape, times the stretch's root: as reachTowards() has it
+    Row reach; ///< of the shape that way
     Row lift; ///< where it is lifted onto a solid
     Row on_solid; ///< 1, else 0
 };
@@ -122,12 +122,13 @@ struct SineCosine {
         const LaneTurn q = turn * first;
 
         // The contact stays where it is.
-        const double thin = 1.0 / std::sqrt(stretch);
+        const double root = std::sqrt(stretch);
+        const double thin = 1.0 / root;
         double lever_x, lever_y, lever_z;
         turned(q, stretch * in.contact[0][i], thin * in.contact[1][i], thin * in.contact[2][i], lever_x, lever_y,
                lever_z);
         out.stretch[i] = stretch;
-        out.root[i] = std::sqrt(stretch);
+        out.thin[i] = thin;
         out.turn[0][i] = q.w;
         out.turn[1][i] = q.x;
         out.turn[2][i] = q.y;
@@ -135,8 +136,10 @@ struct SineCosine {
         out.position[0][i] = in.point[0][i] + in.skims[0][i] * elapsed - lever_x;
         out.position[1][i] = in.point[1][i] + in.skims[1][i] * elapsed - lever_y;
         out.position[2][i] = in.point[2][i] + in.skims[2][i] * elapsed - lever_z;
-        turned({q.w, -q.x, -q.y, -q.z}, -in.normal[0][i], -in.normal[1][i], -in.normal[2][i], out.down[0][i],
-               out.down[1][i], out.down[2][i]);
+        double down_x;
+        turned({q.w, -q.x, -q.y, -q.z}, -in.normal[0][i], -in.normal[1][i], -in.normal[2][i], down_x, out.down[1][i],
+               out.down[2][i]);
+        out.down[0][i] = stretch * root * down_x;
     }
 }
 
@@ -144,9 +147,7 @@ struct SineCosine {
     for (std::size_t i = 0; i < kLanes; ++i) {
         // liftToTouch() of a plane; that of a solid is known.
         const double stretch = lying.stretch[i];
-        const double reach =
-            stretch * lying.down[0][i] * lying.lowest[0][i] +
-            (lying.down[1][i] * lying.lowest[1][i] + lying.down[2][i] * lying.lowest[2][i]) / lying.root[i];
+        const double reach = lying.thin[i] * lying.reach[i];
         const double nx = in.normal[0][i], ny = in.normal[1][i], nz = in.normal[2][i];
         const double bx = lying.position[0][i], by = lying.position[1][i], bz = lying.position[2][i];
         const double onto_plane =
@@ -164,7 +165,7 @@ struct SineCosine {
     }
 }
 
-/// What each lane's lift comes from: above a plane the vertex of its shape that lies lowest.
+/// What each lane's lift comes from: above a plane how far its shape reaches down.
 void findLifts(const ImpactLanes& in, std::size_t count, Lying& lying) {
     for (std::size_t i = 0; i < count; ++i) {
         const Shape& shape = *in.shapes[i];
@@ -176,11 +177,7 @@ void findLifts(const ImpactLanes& in, std::size_t count, Lying& lying) {
             lying.on_solid[i] = 1.0;
             continue;
         }
-        const Vec3 direction(lying.stretch[i] * lying.root[i] * lying.down[0][i], lying.down[1][i], lying.down[2][i]);
-        const Vec3& vertex = shape.vertices()[supportOf(shape, direction)];
-        lying.lowest[0][i] = vertex.x;
-        lying.lowest[1][i] = vertex.y;
-        lying.lowest[2][i] = vertex.z;
+        lying.reach[i] = reachOf(shape, {lying.down[0][i], lying.down[1][i], lying.down[2][i]});
     }
 }
 

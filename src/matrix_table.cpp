@@ -193,13 +193,13 @@ void MatrixTable::writeImpacts(double t, Impacts& impacts) {
     impacts.count = 0;
 }
 
-void MatrixTable::writeFlights(std::size_t index, double t) {
+void MatrixTable::writeFlights(std::size_t index, const Falling& falling, double t) {
     const Block& block = blocks_[index];
     if (block.taken == 0) {
         return;
     }
     Columns columns;
-    poseFlights(block.lanes, gravity_, t, columns);
+    poseFlights(block.lanes, falling, t, columns);
     float* out = &matrices_[kFloats * kLanes * index];
     if (block.written == 0) {
         // Of those that are posed something is written too: their own matrices come after.
@@ -212,12 +212,13 @@ void MatrixTable::writeFlights(std::size_t index, double t) {
 /// Batches of one kind: what poses are worked out with stays in the nearest cache, and the matrices in the next.
 void MatrixTable::writeBlocks(std::size_t begin, std::size_t end, double t, std::vector<BodySlot>& bodies) {
     constexpr std::size_t kBatch = 64;
+    const Falling falling(gravity_);
     std::array<std::uint32_t, kBatch * kLanes> posed;
     for (std::size_t first = begin; first < end; first += kBatch) {
         std::size_t count = 0;
         for (std::size_t i = first; i < std::min(end, first + kBatch); ++i) {
             takeFlights(i, t, bodies);
-            writeFlights(i, t);
+            writeFlights(i, falling, t);
             forEach(blocks_[i].posed, i * kLanes,
                     [&](std::size_t slot) { posed[count++] = static_cast<std::uint32_t>(slot); });
         }

@@ -75,7 +75,7 @@ private:
         std::array<std::size_t, kLanes> slots{}; ///< whose they are
         std::size_t count = 0;
     };
-    void writeFlights(std::size_t index, double t);
+    void writeFlights(std::size_t index, const Falling& falling, double t);
     void writePosed(std::span<const std::uint32_t> slots, double t, const std::vector<BodySlot>& bodies);
     void writeBlocks(std::size_t begin, std::size_t end, double t, std::vector<BodySlot>& bodies);
     void writeImpacts(double t, Impacts& impacts);

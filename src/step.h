@@ -215,8 +215,8 @@ private:
     Happenings& out_;
 };
 
-/// Moves one body from time `from` to `to` through all its phases. Gives the time, not before `to`, before which nothing
-/// else happens to it in these surroundings.
+/// Moves one body from time `from` to `to` through all its phases. Gives the time, not before `to`, before which
+/// nothing else happens to it in these surroundings.
 double advanceBody(const Surroundings& around, BodySlot& body, BodyId id, double from, double to, Happenings& out);
 
 } // namespace elastoon

@@ -25,4 +25,12 @@ namespace elastoon {
     return best;
 }
 
+/// How far the shape reaches from its centroid in `direction`, times that direction's length.
+[[nodiscard]] inline double reachOf(const Shape& shape, const Vec3& direction) {
+    const auto vertices = shape.vertices();
+    const SupportTable& table = shape.supportTable();
+    return table.empty() ? glm::dot(direction, vertices[supportOf(shape, direction)])
+                         : table.highest(vertices, shape.topology(), direction);
+}
+
 } // namespace elastoon

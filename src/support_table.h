@@ -30,8 +30,7 @@ public:
             return climb(vertices, topology, direction, best);
         }
 #if defined(__wasm__)
-        const auto height = [&](std::size_t i) { return glm::dot(direction, vertices[cell[i]]); };
-        return cell[firstHighest({height(0), height(1), height(2), height(3)})];
+        return cell[firstHighest(heightsOf(vertices, cell, direction))];
 #else
         double highest = glm::dot(direction, vertices[best]);
         for (std::size_t i = 1; i < cell.size(); ++i) {
@@ -42,12 +41,27 @@ public:
         return best;
 #endif
     }
+    /// `direction` . that vertex.
+    [[nodiscard]] double highest(std::span<const Vec3> vertices, const Topology& topology,
+                                 const Vec3& direction) const {
+        const Cell& cell = cells_[cellOf(direction)];
+        if (cell[1] == Topology::kNone) {
+            return glm::dot(direction, vertices[climb(vertices, topology, direction, cell[0])]);
+        }
+        const std::array<double, 4> heights = heightsOf(vertices, cell, direction);
+        return std::max(std::max(heights[0], heights[1]), std::max(heights[2], heights[3]));
+    }
 
 private:
     /// All four are looked at, without a branch: fewer are filled up with the last one. Where there are more, the
     /// second is kNone, and a climb begins at the first.
     using Cell = std::array<std::uint32_t, 4>;
     [[nodiscard]] std::size_t cellOf(const Vec3& direction) const;
+    [[nodiscard]] static std::array<double, 4> heightsOf(std::span<const Vec3> vertices, const Cell& cell,
+                                                         const Vec3& direction) {
+        const auto height = [&](std::size_t i) { return glm::dot(direction, vertices[cell[i]]); };
+        return {height(0), height(1), height(2), height(3)};
+    }
     [[nodiscard]] static std::size_t firstHighest(const std::array<double, 4>& heights);
 
     std::int32_t side_ = 1; ///< of the cube, in cells

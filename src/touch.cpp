@@ -54,6 +54,11 @@ struct Approach {
         const Vec3 velocity = flightVelocity(flight, t - phase.start);
         return glm::dot(velocity - surface.frame.velocity, normalAt(t));
     }
+    /// Whether the body goes further from the plane all the time within [from, to].
+    [[nodiscard]] bool partsAllAlong(double from, double to, const FlightBounds& bounds) const {
+        const double slowest = turns ? 0.0 : std::min(partingSpeed(from), partingSpeed(to));
+        return slowest > 0.0 && slowest > otherRate(from, to - from, bounds);
+    }
     /// What may close the gap within [t, t + span] besides the centroid's own way along the normal, m/s; `bounds` hold
     /// for as long, or longer.
     [[nodiscard]] double otherRate(double t, double span, const FlightBounds& bounds) const {
@@ -225,6 +230,9 @@ std::optional<double> advance(const Approach& approach, double from, double to, 
     const FlightBounds bounds = flightBounds(approach.flight, approach.shape, from - start, to - start);
     double t = approach.farUntil(from, to, bounds);
     if (t >= to && to > from) {
+        return std::nullopt;
+    }
+    if (approach.partsAllAlong(t, to, bounds) && approach.gap(t) > kTouchGap * length) {
         return std::nullopt;
     }
     for (int i = 0; i < kMostAdvances; ++i) {

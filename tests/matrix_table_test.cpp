@@ -177,7 +177,7 @@ TEST(MatrixTable, LanesGiveBackTheFlightToTheBit) {
         ASSERT_EQ(unpushedPose(back, t).position, unpushedPose(flight, t).position);
         ASSERT_EQ(unpushedPose(back, t).stretch, unpushedPose(flight, t).stretch);
         Columns columns;
-        poseFlights(lanes, gravity, 2.5 + t, columns);
+        poseFlights(lanes, Falling(gravity), 2.5 + t, columns);
         const Mat3 linear = linearOf(unpushedPose(flight, 2.5 + t - 2.5));
         for (int k = 0; k < 9; ++k) {
             ASSERT_EQ(columns[static_cast<std::size_t>(k)][lane], static_cast<float>(linear[k / 3][k % 3])) << i;

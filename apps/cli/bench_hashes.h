@@ -15,10 +15,10 @@ struct BenchScene {
 
 inline constexpr BenchScene kBenchScenes[] = {
     {"flight", 10000, 0x294dfcefd2e71cd5},  //
-    {"rain", 10000, 0x48ed15b8a8cd458a},    //
-    {"ballpit", 10000, 0x388f3d936d7d4c1c}, //
-    {"pachinko", 1000, 0x8e39d8e44d3d118c}, //
-    {"corners", 1000, 0x3f148b536fdb2005},
+    {"rain", 10000, 0x72ad107a906b8d8d},    //
+    {"ballpit", 10000, 0xcc4f00309e77e1bd}, //
+    {"pachinko", 1000, 0xb9f4a2c458ea5901}, //
+    {"corners", 1000, 0xbc4bce9efe82d3cf},
 };
 
 } // namespace elastoon
