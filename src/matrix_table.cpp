@@ -84,8 +84,8 @@ Flight MatrixTable::flight(std::size_t slot) const {
 bool MatrixTable::giveBack(std::size_t slot, Phase& phase) const {
     const bool taken = isTaken(phase);
     if (taken) {
-        auto& flight = phase.motion.emplace<Boxed<Flight>>(Boxed<Flight>::made());
-        blocks_[slot / kLanes].lanes.get(slot % kLanes, gravity_, *flight);
+        Flight& flight = phase.motion.emplace<Boxed<Flight>>().edit();
+        blocks_[slot / kLanes].lanes.get(slot % kLanes, gravity_, flight);
     }
     return taken;
 }
@@ -98,50 +98,60 @@ void MatrixTable::begun(std::size_t slot, Phase& phase, double t) {
     if (slot >= changed_.size()) {
         return;
     }
-    changed_[slot] = kChanged;
+    Change& change = changed_[slot];
     // Where gravity is another since, the lanes are emptied when they are drawn.
-    if (canBeTaken(phase) && t >= freeAt(phase) && phase.get<Flight>().gravity == gravity_) {
+    if (!canBeTaken(phase) || phase.get<Flight>().gravity != gravity_) {
+        change = phase.is<Impact>() ? Change::Posed : Change::Unknown;
+    } else if (t >= freeAt(phase)) {
         blocks_[slot / kLanes].lanes.set(slot % kLanes, phase.start, phase.get<Flight>());
         takeAgain(phase);
+        change = Change::Taken;
+    } else {
+        change = Change::ToTake;
     }
 }
 
-/// Finds out how the body is to be drawn from now on.
-void MatrixTable::look(std::size_t slot, const BodySlot& body, double t) {
-    Block& block = blocks_[slot / kLanes];
-    const Some bit = Some{1} << slot % kLanes;
-    for (Some* const some : {&block.taken, &block.written, &block.posed, &block.to_take}) {
-        *some &= ~bit;
-    }
+void MatrixTable::Block::set(std::size_t lane, Change change) {
+    const Some bit = Some{1} << lane;
+    const auto put = [bit](Some& some, bool is_one) { some = is_one ? some | bit : some & ~bit; };
+    put(taken, change == Change::Taken);
+    put(written, change == Change::None);
+    put(posed, change == Change::Posed || change == Change::ToTake);
+    put(to_take, change == Change::ToTake);
+}
+
+/// Finds out how the body is to be drawn from now on. What stays as it is is drawn at once: None.
+MatrixTable::Change MatrixTable::look(std::size_t slot, const BodySlot& body, double t) {
     const Phase& phase = body.phase;
     const auto* rest = phase.as<Rest>();
     if (!body.used) {
         std::fill_n(&matrices_[kFloats * slot], kFloats, 0.0F);
-        block.written |= bit;
-    } else if (isTaken(phase)) {
-        block.taken |= bit;
-    } else if (rest != nullptr && !rest->surface.frame.moves() && phase.clear_of.empty()) {
-        writePose(slot, body, t);
-        block.written |= bit;
-    } else {
-        block.posed |= bit;
-        block.to_take |= canBeTaken(phase) ? bit : 0;
+        return Change::None;
     }
+    if (isTaken(phase)) {
+        return Change::Taken;
+    }
+    if (rest != nullptr && !rest->surface.frame.moves() && phase.clear_of.empty()) {
+        writePose(slot, body, t);
+        return Change::None;
+    }
+    return canBeTaken(phase) ? Change::ToTake : Change::Posed;
 }
 
 void MatrixTable::takeFlights(std::size_t index, double t, std::vector<BodySlot>& bodies) {
     const std::size_t begin = index * kLanes;
-    unsigned char* changed = &changed_[begin];
-    static constexpr std::array<unsigned char, kLanes> kNone{};
-    if (std::memcmp(changed, kNone.data(), kLanes) != 0) {
+    Change* changes = &changed_[begin];
+    Block& block = blocks_[index];
+    static constexpr std::array<Change, kLanes> kNone{};
+    if (std::memcmp(changes, kNone.data(), kLanes) != 0) {
         for (std::size_t i = 0; i < std::min(kLanes, bodies.size() - begin); ++i) {
-            if (changed[i] == kChanged) {
-                look(begin + i, bodies[begin + i], t);
-                changed[i] = 0;
+            if (changes[i] != Change::None) {
+                const bool known = changes[i] != Change::Unknown;
+                block.set(i, known ? changes[i] : look(begin + i, bodies[begin + i], t));
+                changes[i] = Change::None;
             }
         }
     }
-    Block& block = blocks_[index];
     forEach(block.to_take, begin, [&](std::size_t slot) {
         Phase& phase = bodies[slot].phase;
         if (t >= freeAt(phase)) {
@@ -156,8 +166,8 @@ void MatrixTable::takeFlights(std::size_t index, double t, std::vector<BodySlot>
 }
 
 void MatrixTable::writePosed(std::span<const std::uint32_t> slots, double t, const std::vector<BodySlot>& bodies) {
-    constexpr std::size_t kSlotsAhead = 8;
-    constexpr std::size_t kRestAhead = 4;
+    constexpr std::size_t kSlotsAhead = 24;
+    constexpr std::size_t kRestAhead = 12;
     // What others have left in its lanes is worked out and not used: cheaper than to clear them.
     thread_local Impacts impacts;
     for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -212,11 +222,17 @@ void MatrixTable::writeFlights(std::size_t index, const Falling& falling, double
 /// Batches of one kind: what poses are worked out with stays in the nearest cache, and the matrices in the next.
 void MatrixTable::writeBlocks(std::size_t begin, std::size_t end, double t, std::vector<BodySlot>& bodies) {
     constexpr std::size_t kBatch = 64;
+    constexpr std::size_t kBlocksAhead = 2;
+    constexpr std::size_t kBlocksNearby = 1024; // so many stay in a cache, and come soon enough without being asked for
+    const bool are_many = blocks_.size() > kBlocksNearby;
     const Falling falling(gravity_);
     std::array<std::uint32_t, kBatch * kLanes> posed;
     for (std::size_t first = begin; first < end; first += kBatch) {
         std::size_t count = 0;
         for (std::size_t i = first; i < std::min(end, first + kBatch); ++i) {
+            if (are_many && i + kBlocksAhead < end) {
+                prefetch(&blocks_[i + kBlocksAhead], sizeof(Block));
+            }
             takeFlights(i, t, bodies);
             writeFlights(i, falling, t);
             forEach(blocks_[i].posed, i * kLanes,
@@ -234,7 +250,7 @@ std::span<const float> MatrixTable::at(double t, std::vector<BodySlot>& bodies, 
     }
     gravity_ = gravity;
     blocks_.resize(count);
-    changed_.resize(kLanes * count, kChanged);
+    changed_.resize(kLanes * count, Change::Unknown);
     matrices_.resize(kFloats * kLanes * count);
     if (parallel_for) {
         parallel_for(count, [&](std::size_t begin, std::size_t end) { writeBlocks(begin, end, t, bodies); });

@@ -23,7 +23,7 @@ public:
     /// The body in this slot has begun a phase, has come or has gone. For different slots at the same time, too.
     void changed(std::size_t slot) {
         if (slot < changed_.size()) {
-            changed_[slot] = kChanged;
+            changed_[slot] = Change::Unknown;
         }
     }
     /// All bodies are others. None of their flights is taken.
@@ -57,6 +57,8 @@ public:
     }
 
 private:
+    /// How a body is drawn from now on, as far as whoever changed it could tell: its slot then needs no look.
+    enum class Change : unsigned char { None, Unknown, Taken, Posed, ToTake };
     /// Of a block's bodies, a bit for each.
     using Some = std::uint32_t;
     struct Block {
@@ -65,9 +67,12 @@ private:
         Some written = 0; ///< their matrices stay as they are
         Some posed = 0; ///< by poseAt(), or with other impacts
         Some to_take = 0; ///< of these, as soon as they need no push
+
+        /// How the body in this lane is drawn; None: it stays as it is.
+        void set(std::size_t lane, Change change);
     };
     [[nodiscard]] static bool canBeTaken(const Phase& phase);
-    void look(std::size_t slot, const BodySlot& body, double t);
+    Change look(std::size_t slot, const BodySlot& body, double t);
     void takeFlights(std::size_t index, double t, std::vector<BodySlot>& bodies);
     /// Impacts that are worked out together.
     struct Impacts {
@@ -81,11 +86,9 @@ private:
     void writeImpacts(double t, Impacts& impacts);
     void writePose(std::size_t slot, const BodySlot& body, double t);
 
-    static constexpr unsigned char kChanged = 1;
-
     Vec3 gravity_{0.0}; ///< that of the flights in lanes
     /// By slot, of whole blocks; what has changed is looked at when the block is drawn. Empty before the first use.
-    std::vector<unsigned char> changed_;
+    std::vector<Change> changed_;
     std::vector<Block> blocks_;
     std::vector<float> matrices_; ///< of whole blocks
 };

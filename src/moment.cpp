@@ -283,7 +283,7 @@ void Moment::queue(const Met& met) {
 
 /// While the body still squashes, all that it touches throws it back.
 void Moment::blend(Phase& phase) const {
-    auto& impact = phase.get<Impact>();
+    Impact& impact = phase.edit<Impact>();
     if (impact.comes_to_rest || t_ - impact.begun > impact.curve.t_in) {
         return;
     }
@@ -375,7 +375,7 @@ void Moment::restOn(const Impact& impact, const std::vector<KeptClear>& pressing
 
 void Moment::steer(const Vec3& velocity) {
     Phase phase = body_.phase;
-    auto& impact = phase.get<Impact>();
+    Impact& impact = phase.edit<Impact>();
     const bool ends_itself = phase.end == impact.begun + impact.curve.duration();
     impact = steeredImpact(impact, t_, velocity, *body_.shape, body_.style, around_.gravity);
     phase.start = t_;

@@ -136,6 +136,15 @@ private:
     void rotate(int node);
     void split(std::span<int> leaves, int parent, int slot);
 
+    /// Both children are asked for before either is looked at: of a large tree they are in no cache.
+    void fetchBelow([[maybe_unused]] const Fork& fork) const {
+#if !defined(__wasm__)
+        for (const int child : fork.children) {
+            __builtin_prefetch(child >= 0 ? static_cast<const void*>(&forks_[asSize(child)]) : &at(~child));
+        }
+#endif
+    }
+
     /// Goes over the tree from parent to child and back, so it needs no stack, however deep the tree is. What is far
     /// is told by the coarse boxes, what is found by the exact ones.
     template <class MayMeet, class Meets, class Visitor>
@@ -168,6 +177,9 @@ private:
                 continue;
             }
             ++looked_at;
+            if (slot == 0) {
+                fetchBelow(fork);
+            }
             const bool may = may_meet(fork.boxes[slot]);
             const int child = fork.children[slot];
             if (may && child >= 0) {

@@ -152,10 +152,7 @@ void fields(Stream& stream, const Boxed<T>& boxed) {
 
 template <class Stream, class T>
 void fields(Stream& stream, Boxed<T>& boxed) {
-    if (boxed.isUsual()) {
-        boxed = Boxed<T>::made();
-    }
-    fields(stream, *boxed);
+    fields(stream, boxed.edit());
 }
 
 template <class Stream>

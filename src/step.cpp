@@ -210,8 +210,9 @@ void planAhead(const Surroundings& around, BodySlot& body, double from) {
     if (!body.phase.clear_of.empty() && hasLeftAll(body.phase, begin)) {
         std::vector<KeptClear>().swap(body.phase.clear_of);
     }
-    if (auto* flight = body.phase.as<Flight>(); flight != nullptr && begin >= start + flight->ease->span) {
-        flight->ease = {};
+    const auto* flight = body.phase.as<Flight>();
+    if (flight != nullptr && !flight->ease.isUsual() && begin >= start + flight->ease->span) {
+        body.phase.edit<Flight>().ease = {};
     }
     body.plan = nextEvent(around, body, begin, ahead);
     if (body.plan.time < from) {

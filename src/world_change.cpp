@@ -157,10 +157,12 @@ void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& fram
     for (KeptClear& kept : phase.clear_of) {
         kept.surface.frame = isOfIt(kept) ? frame : kept.surface.frame;
     }
-    if (auto* slide = phase.as<Slide>()) {
+    if (phase.is<Slide>()) {
         // The body goes on with the velocity that it had, off the surface as it moves from now on.
         const Vec3 velocity = velocityAt(body.phase, *body.shape, time);
-        slide->surface.frame = phase.obstacle == obstacle ? frame : slide->surface.frame;
+        if (phase.obstacle == obstacle) {
+            phase.edit<Slide>().surface.frame = frame;
+        }
         body.phase = phase;
         now(id).wake(now(id).held(), velocity);
         return;
@@ -173,15 +175,15 @@ void World::Impl::follow(BodyId id, ObstacleId obstacle, const MovingFrame& fram
     }
     bool drops = false;
     if (phase.obstacle == obstacle) {
-        auto* rest = phase.as<Rest>();
-        Surface& surface = rest != nullptr ? rest->surface : phase.get<Impact>().surface;
-        if (rest != nullptr) {
+        const bool rests = phase.is<Rest>();
+        Surface& surface = rests ? phase.edit<Rest>().surface : phase.edit<Impact>().surface;
+        if (rests) {
             const Vec3 point = surface.pointAt(time);
             const Vec3 change = frame.velocityAt(time, point) - surface.frame.velocityAt(time, point);
             drops = glm::dot(change, surface.normalAt(time)) < 0.0;
         }
         surface.frame = frame;
-        if (rest != nullptr) {
+        if (rests) {
             const double end = holdsUntil(surface, time, around.gravity, body.style);
             phase.end =
                 end >= time || phase.clear_of.empty() ? std::max(end, time) : std::numeric_limits<double>::infinity();

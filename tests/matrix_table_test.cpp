@@ -104,7 +104,7 @@ TEST(MatrixTable, LanesOfImpactsAreWhatThePosesSay) {
             phases.push_back(anyImpact(random, solid));
             Phase& phase = phases.back();
             // All are looked at at the same time.
-            auto& impact = phase.get<Impact>();
+            Impact& impact = phase.edit<Impact>();
             impact.begun = phase.start = 200.0 - share * impact.curve.duration();
             // What turned before its phase began has turned since.
             const double turned = turnShare(impact.curve, impact.easing, 200.0 - impact.begun);

@@ -8,8 +8,9 @@
 #include "elastoon/model.h"
 #include "elastoon/shape.h"
 
+#include <atomic>
+#include <cstdint>
 #include <limits>
-#include <memory>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -63,37 +64,48 @@ enum class AxisRule : std::uint8_t {
     Fixed, ///< nothing turns it: no speed and no gravity
 };
 
-/// A value kept apart; where it is T{} it may take no room.
+/// A value kept apart, which its copies share until one of them is changed; where it is T{} it may take no room.
 template <class T>
 class Boxed {
 public:
     Boxed() = default;
-    Boxed(const T& value) : value_(std::make_unique<T>(value)) {}
-    /// T{} that takes room: to be filled.
-    [[nodiscard]] static Boxed made() {
-        Boxed boxed;
-        boxed.value_ = std::make_unique<T>();
-        return boxed;
+    Boxed(const T& value) : box_(new Box(value)) {}
+    Boxed(const Boxed& other) noexcept : box_(other.box_) {
+        if (box_ != nullptr) {
+            box_->owners.fetch_add(1, std::memory_order_relaxed);
+        }
     }
-    Boxed(const Boxed& other) : value_(other.value_ ? std::make_unique<T>(*other.value_) : nullptr) {}
-    Boxed(Boxed&&) noexcept = default;
-    Boxed& operator=(const Boxed& other) {
-        value_ = other.value_ ? std::make_unique<T>(*other.value_) : nullptr;
+    Boxed(Boxed&& other) noexcept : box_(std::exchange(other.box_, nullptr)) {}
+    Boxed& operator=(Boxed other) noexcept {
+        std::swap(box_, other.box_);
         return *this;
     }
-    Boxed& operator=(Boxed&&) noexcept = default;
-    ~Boxed() = default;
+    ~Boxed() {
+        if (box_ != nullptr && box_->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+            delete box_;
+        }
+    }
 
-    /// To be changed: it must not be T{} that takes no room.
-    T& operator*() { return *value_; }
-    const T& operator*() const { return value_ ? *value_ : kUsual; }
+    const T& operator*() const { return box_ != nullptr ? box_->value : kUsual; }
     const T* operator->() const { return &**this; }
+    /// To be changed, apart from all copies: from here on it takes room, and what ** gave before is no longer this one.
+    [[nodiscard]] T& edit() {
+        if (box_ == nullptr || box_->owners.load(std::memory_order_acquire) != 1) {
+            *this = Boxed(**this);
+        }
+        return box_->value;
+    }
     /// It is T{}, and takes no room.
-    [[nodiscard]] bool isUsual() const { return value_ == nullptr; }
+    [[nodiscard]] bool isUsual() const { return box_ == nullptr; }
 
 private:
+    struct Box {
+        explicit Box(const T& given) : value(given) {}
+        T value;
+        std::atomic<std::uint32_t> owners{1};
+    };
     static inline const T kUsual{};
-    std::unique_ptr<T> value_;
+    Box* box_ = nullptr;
 };
 
 /// A form that a phase begins with and that is not the one of its velocity: it fades within `span`, smoothly.
@@ -179,7 +191,8 @@ struct Phase {
     double free_from = std::numeric_limits<double>::infinity();
     std::variant<Boxed<Flight>, Boxed<Impact>, Boxed<Rest>, Boxed<Slide>> motion;
 
-    /// Flight, Impact, Rest or Slide: whether it is one, as one (null if it is not), and as the one that it is.
+    /// Flight, Impact, Rest or Slide: whether it is one, as one (null if it is not), as the one that it is, and as that
+    /// to be changed: what the others gave before is then no longer this phase's.
     template <class T>
     [[nodiscard]] bool is() const {
         return std::holds_alternative<Boxed<T>>(motion);
@@ -190,19 +203,14 @@ struct Phase {
         return boxed != nullptr ? &**boxed : nullptr;
     }
     template <class T>
-    [[nodiscard]] T* as() & {
-        auto* boxed = std::get_if<Boxed<T>>(&motion);
-        return boxed != nullptr ? &**boxed : nullptr;
-    }
-    template <class T>
     const T* as() const&& = delete; ///< the phase would be gone
     template <class T>
     [[nodiscard]] const T& get() const& {
         return *as<T>();
     }
     template <class T>
-    [[nodiscard]] T& get() & {
-        return *as<T>();
+    [[nodiscard]] T& edit() {
+        return std::get<Boxed<T>>(motion).edit();
     }
     template <class T>
     const T& get() const&& = delete;
