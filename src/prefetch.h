@@ -32,15 +32,4 @@ namespace elastoon {
     }
 }
 
-/// And what it is on, or meets next.
-[[gnu::always_inline]] inline void prefetchObstacles(const Surroundings& around, const BodySlot& body) {
-    const std::size_t on = body.phase.obstacle.slot;
-    if (on != 0 && on <= around.obstacles.size()) {
-        prefetch(&around.obstacles[on - 1], sizeof(ObstacleSlot));
-    }
-    if (body.plan.meets() && body.plan.obstacle < around.obstacles.size()) {
-        prefetch(&around.obstacles[body.plan.obstacle], sizeof(ObstacleSlot));
-    }
-}
-
 } // namespace elastoon

@@ -115,7 +115,6 @@ void World::Impl::advanceBodies(double to) {
             }
             if (k + kRestAhead < count) {
                 prefetchRest(bodies[busy[k + kRestAhead]]);
-                prefetchObstacles(around, bodies[busy[k + kRestAhead]]);
             }
             const std::size_t i = busy[k];
             if (!bodies[i].used) {
