@@ -59,8 +59,8 @@ public:
         (put(items), ...);
     }
     /// The number of items of a list.
-    template <class T>
-    void sized(const std::vector<T>& list, std::size_t /*least_bytes*/) {
+    template <class List>
+    void sized(const List& list, std::size_t /*least_bytes*/) {
         put(static_cast<std::uint32_t>(list.size()));
     }
     /// Which alternative a variant holds.
@@ -108,8 +108,8 @@ public:
         (get(items), ...);
     }
     /// Gives the list as many items as the bytes say, if that many of at least so many bytes can follow.
-    template <class T>
-    void sized(std::vector<T>& list, std::size_t least_bytes) {
+    template <class List>
+    void sized(List& list, std::size_t least_bytes) {
         std::uint32_t count = 0;
         get(count);
         if (count > left() / least_bytes) {

@@ -138,7 +138,7 @@ MatrixTable::Change MatrixTable::look(std::size_t slot, const BodySlot& body, do
     return canBeTaken(phase) ? Change::ToTake : Change::Posed;
 }
 
-void MatrixTable::takeFlights(std::size_t index, double t, std::vector<BodySlot>& bodies) {
+void MatrixTable::takeFlights(std::size_t index, double t, LargeArray<BodySlot>& bodies) {
     const std::size_t begin = index * kLanes;
     Change* changes = &changed_[begin];
     Block& block = blocks_[index];
@@ -165,7 +165,7 @@ void MatrixTable::takeFlights(std::size_t index, double t, std::vector<BodySlot>
     });
 }
 
-void MatrixTable::writePosed(std::span<const std::uint32_t> slots, double t, const std::vector<BodySlot>& bodies) {
+void MatrixTable::writePosed(std::span<const std::uint32_t> slots, double t, const LargeArray<BodySlot>& bodies) {
     constexpr std::size_t kSlotsAhead = 24;
     constexpr std::size_t kRestAhead = 12;
     // What others have left in its lanes is worked out and not used: cheaper than to clear them.
@@ -220,7 +220,7 @@ void MatrixTable::writeFlights(std::size_t index, const Falling& falling, double
 }
 
 /// Batches of one kind: what poses are worked out with stays in the nearest cache, and the matrices in the next.
-void MatrixTable::writeBlocks(std::size_t begin, std::size_t end, double t, std::vector<BodySlot>& bodies) {
+void MatrixTable::writeBlocks(std::size_t begin, std::size_t end, double t, LargeArray<BodySlot>& bodies) {
     constexpr std::size_t kBatch = 64;
     constexpr std::size_t kBlocksAhead = 2;
     constexpr std::size_t kBlocksNearby = 1024; // so many stay in a cache, and come soon enough without being asked for
@@ -242,7 +242,7 @@ void MatrixTable::writeBlocks(std::size_t begin, std::size_t end, double t, std:
     }
 }
 
-std::span<const float> MatrixTable::at(double t, std::vector<BodySlot>& bodies, const Vec3& gravity,
+std::span<const float> MatrixTable::at(double t, LargeArray<BodySlot>& bodies, const Vec3& gravity,
                                        const ParallelFor& parallel_for) {
     const std::size_t count = (bodies.size() + kLanes - 1) / kLanes;
     if (gravity != gravity_) {

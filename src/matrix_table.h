@@ -4,6 +4,7 @@
 
 #include "flight_lanes.h"
 #include "impact_lanes.h"
+#include "large_array.h"
 #include "prefetch.h"
 #include "step.h"
 
@@ -33,7 +34,7 @@ public:
     }
     /// 12 floats a slot, as they are at time t: the columns of the linear part, then the position; 0 where there is no
     /// body. The same bits as from poseAt(). All flights have this gravity.
-    std::span<const float> at(double t, std::vector<BodySlot>& bodies, const Vec3& gravity,
+    std::span<const float> at(double t, LargeArray<BodySlot>& bodies, const Vec3& gravity,
                               const ParallelFor& parallel_for);
 
     [[nodiscard]] static bool isTaken(const Phase& phase) {
@@ -73,7 +74,7 @@ private:
     };
     [[nodiscard]] static bool canBeTaken(const Phase& phase);
     Change look(std::size_t slot, const BodySlot& body, double t);
-    void takeFlights(std::size_t index, double t, std::vector<BodySlot>& bodies);
+    void takeFlights(std::size_t index, double t, LargeArray<BodySlot>& bodies);
     /// Impacts that are worked out together.
     struct Impacts {
         ImpactLanes lanes;
@@ -81,16 +82,16 @@ private:
         std::size_t count = 0;
     };
     void writeFlights(std::size_t index, const Falling& falling, double t);
-    void writePosed(std::span<const std::uint32_t> slots, double t, const std::vector<BodySlot>& bodies);
-    void writeBlocks(std::size_t begin, std::size_t end, double t, std::vector<BodySlot>& bodies);
+    void writePosed(std::span<const std::uint32_t> slots, double t, const LargeArray<BodySlot>& bodies);
+    void writeBlocks(std::size_t begin, std::size_t end, double t, LargeArray<BodySlot>& bodies);
     void writeImpacts(double t, Impacts& impacts);
     void writePose(std::size_t slot, const BodySlot& body, double t);
 
     Vec3 gravity_{0.0}; ///< that of the flights in lanes
     /// By slot, of whole blocks; what has changed is looked at when the block is drawn. Empty before the first use.
-    std::vector<Change> changed_;
-    std::vector<Block> blocks_;
-    std::vector<float> matrices_; ///< of whole blocks
+    LargeArray<Change> changed_;
+    LargeArray<Block> blocks_;
+    LargeArray<float> matrices_; ///< of whole blocks
 };
 
 } // namespace elastoon

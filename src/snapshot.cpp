@@ -31,7 +31,7 @@ struct SnapshotState {
     std::uint32_t version = 0;
     std::vector<std::uint32_t> free_obstacles, free_bodies;
     std::vector<ObstacleSlot> obstacles;
-    std::vector<BodySlot> bodies;
+    LargeArray<BodySlot> bodies;
     Happenings pending;
 };
 
@@ -129,7 +129,7 @@ void writeList(StateWriter& writer, const List& list) {
 class StateParser {
 public:
     StateParser(std::span<const std::byte> bytes, std::span<const ShapePtr> shapes, SnapshotState& state,
-                const std::vector<BodySlot>& bodies_now)
+                const LargeArray<BodySlot>& bodies_now)
         : reader_(bytes, shapes), state_(state), bodies_now_(bodies_now) {}
 
     std::optional<Error> run();
@@ -146,15 +146,14 @@ private:
 
     StateReader reader_;
     SnapshotState& state_;
-    const std::vector<BodySlot>& bodies_now_;
+    const LargeArray<BodySlot>& bodies_now_;
     const Style* checked_ = nullptr; ///< the last style that was found in range
     std::vector<bool> is_free_;
 };
 
 /// The free list must name every slot that is not in use, and each once.
-template <class Slot>
-const char* flawOfFree(const std::vector<std::uint32_t>& free, const std::vector<Slot>& slots,
-                       std::vector<bool>& is_free) {
+template <class Slots>
+const char* flawOfFree(const std::vector<std::uint32_t>& free, const Slots& slots, std::vector<bool>& is_free) {
     is_free.assign(slots.size(), false);
     for (const std::uint32_t index : free) {
         if (index >= slots.size() || slots[index].used || is_free[index]) {
@@ -163,7 +162,7 @@ const char* flawOfFree(const std::vector<std::uint32_t>& free, const std::vector
         is_free[index] = true;
     }
     const auto used =
-        static_cast<std::size_t>(std::count_if(slots.begin(), slots.end(), [](const Slot& slot) { return slot.used; }));
+        static_cast<std::size_t>(std::count_if(slots.begin(), slots.end(), [](const auto& slot) { return slot.used; }));
     return used + free.size() == slots.size() ? nullptr : "a free list must name all slots that are not in use";
 }
 

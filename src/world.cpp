@@ -18,8 +18,8 @@ namespace elastoon {
 
 namespace {
 
-template <class Slot>
-std::size_t takeSlot(std::vector<Slot>& slots, std::vector<std::uint32_t>& free) {
+template <class Slots>
+std::size_t takeSlot(Slots& slots, std::vector<std::uint32_t>& free) {
     if (!free.empty()) {
         const std::uint32_t index = free.back();
         free.pop_back();

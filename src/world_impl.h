@@ -3,6 +3,7 @@
 
 #include "elastoon/assert.h"
 #include "elastoon/world.h"
+#include "large_array.h"
 #include "matrix_table.h"
 #include "step.h"
 
@@ -21,10 +22,10 @@ struct World::Impl {
     std::function<double()> clock;
     StepProfile profile;
     double time = 0.0;
-    std::vector<BodySlot> bodies;
+    LargeArray<BodySlot> bodies;
     /// By body slot: nothing happens to the body before, in surroundings of version `quiet_version`. A copy of what
     /// its plan says, for the step to run over.
-    std::vector<double> quiet_until;
+    LargeArray<double> quiet_until;
     std::uint32_t quiet_version = 0;
     static constexpr double kNotQuiet = -std::numeric_limits<double>::infinity();
     MatrixTable matrices;
