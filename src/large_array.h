@@ -2,17 +2,19 @@
 // would look up where a page is about as often as what is in it.
 #pragma once
 
-#include <cstddef>
-#include <new>
 #include <vector>
 
 #if defined(__linux__)
 #include <sys/mman.h>
+
+#include <cstddef>
+#include <new>
 #endif
 
 namespace elastoon {
 
-/// The system's allocator; from a few megabytes on it asks for huge pages, where there are such.
+#if defined(__linux__)
+/// The system's allocator; from a few megabytes on it asks for huge pages.
 template <class T>
 class LargePages {
 public:
@@ -24,14 +26,11 @@ public:
 
     [[nodiscard]] T* allocate(std::size_t count) {
         const std::size_t bytes = count * sizeof(T);
-        const std::align_val_t alignment = alignmentOf(bytes);
-        void* room = ::operator new(bytes, alignment);
-#if defined(__linux__)
+        void* room = ::operator new(bytes, alignmentOf(bytes));
         if (isLarge(bytes)) {
             // It may refuse; then the pages are small.
             (void)madvise(room, bytes - bytes % kPage, MADV_HUGEPAGE);
         }
-#endif
         return static_cast<T*>(room);
     }
     void deallocate(T* room, std::size_t count) { ::operator delete(room, alignmentOf(count * sizeof(T))); }
@@ -48,5 +47,9 @@ private:
 
 template <class T>
 using LargeArray = std::vector<T, LargePages<T>>;
+#else
+template <class T>
+using LargeArray = std::vector<T>;
+#endif
 
 } // namespace elastoon
