@@ -1,11 +1,10 @@
-// Arrays of something for each body: of a million they are read here and there, and with small pages the processor
-// would look up where a page is about as often as what is in it.
+// Arrays of something for each body or obstacle, in huge pages as soon as they are large.
 #pragma once
 
 #include <vector>
 
 #if defined(__linux__)
-#include <sys/mman.h>
+#include "huge_pages.h"
 
 #include <cstddef>
 #include <new>
@@ -28,8 +27,7 @@ public:
         const std::size_t bytes = count * sizeof(T);
         void* room = ::operator new(bytes, alignmentOf(bytes));
         if (isLarge(bytes)) {
-            // It may refuse; then the pages are small.
-            (void)madvise(room, bytes - bytes % kPage, MADV_HUGEPAGE);
+            askForHugePages(room, bytes);
         }
         return static_cast<T*>(room);
     }
@@ -38,10 +36,9 @@ public:
     bool operator==(const LargePages&) const = default;
 
 private:
-    static constexpr std::size_t kPage = std::size_t{2} << 20U;
-    [[nodiscard]] static bool isLarge(std::size_t bytes) { return bytes >= 2 * kPage; }
+    [[nodiscard]] static bool isLarge(std::size_t bytes) { return bytes >= 2 * kHugePage; }
     [[nodiscard]] static std::align_val_t alignmentOf(std::size_t bytes) {
-        return std::align_val_t{isLarge(bytes) ? kPage : alignof(T)};
+        return std::align_val_t{isLarge(bytes) ? kHugePage : alignof(T)};
     }
 };
 

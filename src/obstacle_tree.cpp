@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace elastoon {
@@ -71,7 +72,6 @@ bool ObstacleTree::contains(std::size_t index) const {
 
 void ObstacleTree::setParent(int child, int parent) {
     at(child).parent = parent;
-    forks_[asSize(child)].parent = parent;
 }
 
 void ObstacleTree::setChild(int parent, int slot, int child) {
@@ -95,11 +95,46 @@ void ObstacleTree::refit(int node) {
     here.box = unionOf(a.box, b.box);
     here.height = 1 + std::max(a.height, b.height);
     Fork& fork = forks_[asSize(node)];
-    fork.boxes = {outwards(a.box), outwards(b.box)};
-    for (std::size_t slot = 0; slot < 2; ++slot) {
-        const int child = here.children[slot];
-        fork.children[slot] = at(child).isLeaf() ? ~child : child;
+    fork = Fork{};
+    for (const int child : here.children) {
+        if (at(child).isLeaf()) {
+            fork.add(~child, outwards(at(child).box));
+            continue;
+        }
+        for (const int grandchild : at(child).children) {
+            fork.add(at(grandchild).isLeaf() ? ~grandchild : grandchild, outwards(at(grandchild).box));
+        }
     }
+}
+
+ObstacleTree::Fork::Fork() {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis].fill(kFar);
+        high[axis].fill(-kFar);
+    }
+}
+
+void ObstacleTree::Fork::add(int node, const FloatBox& box) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis][count] = box.low[axis];
+        high[axis][count] = box.high[axis];
+    }
+    below[count++] = node;
+}
+
+unsigned ObstacleTree::Fork::meeting(const FloatBox& box) const {
+    using Four [[gnu::vector_size(16)]] = float;
+    using FourInts [[gnu::vector_size(16)]] = int;
+    FourInts apart{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Four lows, highs;
+        std::memcpy(&lows, low[axis].data(), sizeof lows);
+        std::memcpy(&highs, high[axis].data(), sizeof highs);
+        apart |= (lows > box.high[axis]) | (highs < box.low[axis]);
+    }
+    const FourInts bits = ~apart & FourInts{1, 2, 4, 8};
+    return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
 }
 
 ObstacleTree::FloatBox ObstacleTree::outwards(const Box& box) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "elastoon/math.h"
+#include "large_array.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <type_traits>
@@ -61,15 +63,22 @@ public:
     template <class Visitor>
     std::size_t query(const Box& box, Visitor&& visitor) const {
         const FloatBox around = outwards(box);
-        return walk([&](const FloatBox& other) { return meet(around, other); },
+        return walk([&](const Fork& fork) { return fork.meeting(around); },
                     [&](const Box& other) { return meet(box, other); }, visitor);
     }
     /// The same for a box that moves from where it is along `way` in a straight line: for ways that are long and aslant
     /// it finds far fewer than the box around all of the way. Boxes within rounding of it may be found too.
     template <class Visitor>
     std::size_t sweep(const Box& box, const Vec3& way, Visitor&& visitor) const {
-        return walk([&](const FloatBox& other) { return sweepMeets(box, way, wide(other)); },
-                    [&](const Box& other) { return sweepMeets(box, way, other); }, visitor);
+        const auto meets = [&](const Box& other) { return sweepMeets(box, way, other); };
+        const auto mayMeet = [&](const Fork& fork) {
+            unsigned some = 0;
+            for (std::size_t i = 0; i < fork.count; ++i) {
+                some |= (meets(wide(fork.box(i))) ? 1U : 0U) << i;
+            }
+            return some;
+        };
+        return walk(mayMeet, meets, visitor);
     }
     /// The indices whose boxes meet this one, ascending, in place of what `found` held.
     void meeting(const Box& box, std::vector<std::size_t>& found) const {
@@ -95,26 +104,27 @@ private:
     struct FloatBox {
         std::array<float, 3> low, high;
     };
-    /// What a query reads of a node that is no leaf: its two children, in one line of the cache.
+    static constexpr std::size_t kFork = 4;
+    /// What a query reads of a node that is no leaf: what is two levels below it, side by side, in two lines of the
+    /// cache. So it reads every other level alone.
     struct alignas(64) Fork {
-        std::array<FloatBox, 2> boxes;
-        std::array<int, 2> children; ///< of leaves the complement
-        int parent;
+        std::array<std::array<float, kFork>, 3> low, high;
+        std::array<int, kFork> below{}; ///< of leaves the complement
+        std::size_t count = 0;
+
+        /// Nothing meets what is not there.
+        Fork();
+        void add(int node, const FloatBox& box);
+        [[nodiscard]] FloatBox box(std::size_t i) const {
+            return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
+        }
+        /// A bit for each that meets the box.
+        [[nodiscard]] unsigned meeting(const FloatBox& box) const;
     };
 
     static FloatBox outwards(const Box& box);
     static Box wide(const FloatBox& box) {
         return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
-    }
-    static bool meet(const Box& a, const Box& b) { return elastoon::meet(a, b); }
-    /// Without a branch for each side: which of them tells two boxes apart cannot be foreseen.
-    static bool meet(const FloatBox& a, const FloatBox& b) {
-        bool apart = false;
-        for (std::size_t i = 0; i < 3; ++i) {
-            apart |= a.low[i] > b.high[i];
-            apart |= b.low[i] > a.high[i];
-        }
-        return !apart;
     }
     static std::size_t asSize(int i) { return static_cast<std::size_t>(i); }
     static bool sweepMeets(const Box& box, const Vec3& way, const Box& other);
@@ -136,69 +146,71 @@ private:
     void rotate(int node);
     void split(std::span<int> leaves, int parent, int slot);
 
-    /// Both children are asked for before either is looked at: of a large tree they are in no cache.
-    void fetchBelow([[maybe_unused]] const Fork& fork) const {
+    /// Asked for as soon as it is known that it will be read: of a large tree it is in no cache.
+    void fetch([[maybe_unused]] int below) const {
 #if !defined(__wasm__)
-        for (const int child : fork.children) {
-            __builtin_prefetch(child >= 0 ? static_cast<const void*>(&forks_[asSize(child)]) : &at(~child));
+        if (below < 0) {
+            __builtin_prefetch(&at(~below));
+        } else {
+            __builtin_prefetch(&forks_[asSize(below)]);
+            __builtin_prefetch(&forks_[asSize(below)].below);
         }
 #endif
     }
 
-    /// Goes over the tree from parent to child and back, so it needs no stack, however deep the tree is. What is far
-    /// is told by the coarse boxes, what is found by the exact ones.
+    /// What is far is told by the coarse boxes, what is found by the exact ones.
     template <class MayMeet, class Meets, class Visitor>
     std::size_t walk(MayMeet&& may_meet, Meets&& meets, Visitor&& visitor) const {
         std::size_t looked_at = 0;
-        /// False where the visitor stops the query.
-        const auto visit = [&](int leaf) {
-            if (!meets(at(leaf).box)) {
-                return true;
-            }
-            if constexpr (std::is_void_v<decltype(visitor(std::size_t{}))>) {
-                visitor(static_cast<std::size_t>(at(leaf).index));
-                return true;
-            } else {
-                return visitor(static_cast<std::size_t>(at(leaf).index));
-            }
-        };
-        if (root_ != kNone && at(root_).isLeaf()) {
-            visit(root_);
-            return 1;
-        }
-        int node = root_;
-        std::size_t slot = 0;
-        while (node != kNone) {
-            const Fork& fork = forks_[asSize(node)];
-            if (slot == fork.boxes.size()) {
-                const int below = node;
-                node = fork.parent;
-                slot = node != kNone && forks_[asSize(node)].children[0] == below ? 1 : 2;
-                continue;
-            }
-            ++looked_at;
-            if (slot == 0) {
-                fetchBelow(fork);
-            }
-            const bool may = may_meet(fork.boxes[slot]);
-            const int child = fork.children[slot];
-            if (may && child >= 0) {
-                node = child;
-                slot = 0;
-                continue;
-            }
-            if (may && !visit(~child)) {
-                return looked_at;
-            }
-            ++slot;
+        if (root_ != kNone) {
+            walkFrom(at(root_).isLeaf() ? ~root_ : root_, may_meet, meets, visitor, looked_at);
         }
         return looked_at;
     }
 
-    std::vector<Node> nodes_;
-    std::vector<Fork> forks_; ///< by node; of leaves unused
+    /// False where the visitor stops the query.
+    template <class MayMeet, class Meets, class Visitor>
+    bool walkFrom(int from, MayMeet&& may_meet, Meets&& meets, Visitor&& visitor, std::size_t& looked_at) const {
+        std::array<int, 64> open; // enough, but for strange trees
+        std::size_t count = 0;
+        open[count++] = from;
+        while (count > 0) {
+            const int here = open[--count];
+            ++looked_at;
+            if (here < 0) {
+                const Node& leaf = at(~here);
+                if (meets(leaf.box) && !goesOn(visitor, leaf.index)) {
+                    return false;
+                }
+                continue;
+            }
+            const Fork& fork = forks_[asSize(here)];
+            for (unsigned some = may_meet(fork); some != 0; some &= some - 1) {
+                const int below = fork.below[asSize(std::countr_zero(some))];
+                if (count < open.size()) {
+                    fetch(below);
+                    open[count++] = below;
+                } else if (!walkFrom(below, may_meet, meets, visitor, looked_at)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+    template <class Visitor>
+    static bool goesOn(Visitor&& visitor, std::size_t index) {
+        if constexpr (std::is_void_v<decltype(visitor(index))>) {
+            visitor(index);
+            return true;
+        } else {
+            return visitor(index);
+        }
+    }
+
+    LargeArray<Node> nodes_;
+    LargeArray<Fork> forks_; ///< by node; of leaves unused
     std::vector<int> free_;
-    std::vector<int> leaf_of_; ///< by index
+    LargeArray<int> leaf_of_; ///< by index
     int root_ = kNone;
     std::size_t count_ = 0;
 };

@@ -30,7 +30,7 @@ struct SnapshotState {
     Vec3 gravity{0.0};
     std::uint32_t version = 0;
     std::vector<std::uint32_t> free_obstacles, free_bodies;
-    std::vector<ObstacleSlot> obstacles;
+    LargeArray<ObstacleSlot> obstacles;
     LargeArray<BodySlot> bodies;
     Happenings pending;
 };
@@ -69,7 +69,7 @@ bool fitsPhase(Plan::Kind kind, const Phase& phase) {
 }
 
 /// Null, or what would be right.
-const char* readPlan(StateReader& reader, Plan& plan, const Phase& phase, const std::vector<ObstacleSlot>& obstacles) {
+const char* readPlan(StateReader& reader, Plan& plan, const Phase& phase, const LargeArray<ObstacleSlot>& obstacles) {
     bool meets = false;
     plan = {};
     reader(plan.looked_until, plan.time, plan.window, plan.version, plan.kind, meets);
@@ -284,7 +284,7 @@ std::optional<Error> StateParser::readPending() {
 }
 
 /// The lists and boxes from the obstacles. A solid that stands as before keeps its box, which its frame alone gives.
-void rebuildSurroundings(Surroundings& around, const std::vector<ObstacleSlot>& before, double t) {
+void rebuildSurroundings(Surroundings& around, const LargeArray<ObstacleSlot>& before, double t) {
     around.planes.clear();
     around.moving_planes.clear();
     around.moving_solids.clear();

@@ -5,6 +5,7 @@
 #include "elastoon/world.h"
 #include "flight.h"
 #include "impact.h"
+#include "large_array.h"
 #include "obstacle_tree.h"
 #include "path.h"
 #include "watch.h"
@@ -100,7 +101,7 @@ struct ObstacleSlot {
 struct Surroundings {
     static constexpr double kAhead = 0.5; ///< s, of what bodies look for
     Vec3 gravity{0.0};
-    std::vector<ObstacleSlot> obstacles;
+    LargeArray<ObstacleSlot> obstacles;
     /// A plane as those that are near are told by: whether it stands, and where.
     struct Plane {
         std::size_t slot;
@@ -197,15 +198,15 @@ private:
     [[nodiscard]] Pose pose() const { return poseAt(body_.phase, *body_.shape, t_); }
     [[nodiscard]] Vec3 velocity() const { return velocityAt(body_.phase, *body_.shape, t_); }
     void note(EventType type, ObstacleId other, const Surface& surface, double speed, const ImpactCurve& curve);
-    bool beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, std::vector<KeptClear> waiting);
+    bool beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, KeptClearList waiting);
     [[nodiscard]] Touching touchingOf(const Met& met, const Pose& pose, const Vec3& velocity,
                                       std::span<const KeptClear> waiting) const;
     bool beginSlideOn(const Met& met, const Pose& pose, const Vec3& velocity, bool goes_on,
                       std::span<const KeptClear> waiting);
     void blend(Phase& phase) const;
     bool meetNextWaiting(const Impact& impact);
-    void restOn(const Impact& impact, const std::vector<KeptClear>& pressing);
-    [[nodiscard]] std::vector<KeptClear> pressingOn(const Surface& surface) const;
+    void restOn(const Impact& impact, const KeptClearList& pressing);
+    [[nodiscard]] KeptClearList pressingOn(const Surface& surface) const;
     [[nodiscard]] double leastPartingSpeed(const Surface& surface) const;
 
     const Surroundings& around_;

@@ -6,6 +6,7 @@
 #include "elastoon/ids.h"
 #include "elastoon/math.h"
 #include "elastoon/model.h"
+#include "elastoon/record_pool.h"
 #include "elastoon/shape.h"
 
 #include <atomic>
@@ -64,6 +65,10 @@ enum class AxisRule : std::uint8_t {
     Fixed, ///< nothing turns it: no speed and no gravity
 };
 
+/// Of such there is one with each bounce, and never one for each body, so the room for them is kept for the next.
+template <class T>
+inline constexpr bool kComesAndGoes = false;
+
 /// A value kept apart, which its copies share until one of them is changed; where it is T{} it may take no room.
 template <class T>
 class Boxed {
@@ -101,6 +106,12 @@ public:
 private:
     struct Box {
         explicit Box(const T& given) : value(given) {}
+        static void* operator new(std::size_t bytes) {
+            return kComesAndGoes<T> ? takeRecordRoom(bytes) : ::operator new(bytes);
+        }
+        static void operator delete(void* room) noexcept {
+            kComesAndGoes<T> ? giveRecordRoom(room, sizeof(Box)) : ::operator delete(room);
+        }
         T value;
         std::atomic<std::uint32_t> owners{1};
     };
@@ -133,6 +144,10 @@ struct Flight {
     Vec3 up{0.0, 1.0, 0.0}; ///< against gravity
     Boxed<Ease> ease; ///< mostly none
 };
+
+struct Impact;
+template <>
+inline constexpr bool kComesAndGoes<Impact> = true;
 
 /// Squash and stretch against a surface, turning about the contact. Lives in the frame of the surface.
 struct Impact {
@@ -180,13 +195,15 @@ struct KeptClear {
     bool presses = false; ///< it closes on the body from the other side, which flattens where nothing else helps
 };
 
+using KeptClearList = std::vector<KeptClear, RecordAllocator<KeptClear>>;
+
 /// One phase of one body: immutable once made.
 struct Phase {
     double start = 0.0;
     double end =
         std::numeric_limits<double>::infinity(); ///< its own end, as far as it is known; an event may come before
     ObstacleId obstacle; ///< that an impact, rest or slide is against, or that a flight has just left
-    std::vector<KeptClear> clear_of; ///< a flight gives them up some time after it has left them all
+    KeptClearList clear_of; ///< a flight gives them up some time after it has left them all
     /// From here on a flight needs no move to be clear of `clear_of`: its pose is its own.
     double free_from = std::numeric_limits<double>::infinity();
     std::variant<Boxed<Flight>, Boxed<Impact>, Boxed<Rest>, Boxed<Slide>> motion;
