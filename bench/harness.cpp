@@ -16,12 +16,19 @@ double cpuSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+void prepare(const Job& job) {
+    if (job.prepare) {
+        job.prepare();
+    }
+}
+
 } // namespace
 
 std::vector<std::vector<double>> interleave(std::span<const Job> jobs, const Effort& effort) {
     std::vector<std::vector<double>> samples(jobs.size());
     if (!effort.quick) {
         for (const Job& job : jobs) {
+            prepare(job);
             job.work();
         }
     }
@@ -34,6 +41,7 @@ std::vector<std::vector<double>> interleave(std::span<const Job> jobs, const Eff
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             // There and back: nobody always follows the same one.
             const std::size_t index = round % 2 == 0 ? i : jobs.size() - 1 - i;
+            prepare(jobs[index]);
             const double before = cpuSeconds();
             jobs[index].work();
             samples[index].push_back(1e9 * (cpuSeconds() - before) / static_cast<double>(jobs[index].items));

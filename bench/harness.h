@@ -13,6 +13,7 @@ namespace elastoon {
 struct Job {
     std::function<void()> work;
     std::size_t items = 1; ///< that one call of `work` does
+    std::function<void()> prepare = nullptr; ///< before each call of `work`, if there is one: takes no time
 };
 
 /// How long a cell of a table is measured.

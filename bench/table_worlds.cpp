@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace elastoon {
 
@@ -15,6 +18,8 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kWarmSteps = 60; // the soft bodies swell first, more than they do later
+constexpr std::size_t kFewBodies = 100;
+constexpr std::size_t kStepsInRun = 400;
 
 struct Cell {
     std::string scene;
@@ -29,7 +34,7 @@ struct Figures {
 };
 
 /// That all do the same: they stay inside; in the rain they go on bouncing, and keep about their size.
-void judgeJob(const BenchWorld& scene, std::span<WorldContender* const> contenders, Report& report,
+void judgeJob(const BenchWorld& scene, std::span<const std::unique_ptr<WorldContender>> contenders, Report& report,
               const std::string& name) {
     constexpr const char* kWhose[] = {"our", "the rigid", "the soft"};
     constexpr double kLeastHeight = 0.5; // of our bodies'
@@ -50,30 +55,37 @@ void judgeJob(const BenchWorld& scene, std::span<WorldContender* const> contende
 
 Figures measure(const BenchWorld& scene, bool soft, const Effort& effort, Report& report, const std::string& name,
                 std::uint64_t& hash) {
-    const auto ours = ourWorld(scene, 1);
-    const auto rigid = bulletWorld(scene);
-    const auto yielding = soft ? bulletSoftWorld(scene) : nullptr;
-    std::vector<WorldContender*> contenders{ours.get(), rigid.get()};
+    using Staged = std::unique_ptr<WorldContender>;
+    std::vector<std::function<Staged()>> stages{[&] { return ourWorld(scene, 1); }, [&] { return bulletWorld(scene); }};
     if (soft) {
-        contenders.push_back(yielding.get());
+        stages.emplace_back([&] { return bulletSoftWorld(scene); });
     }
     const auto many = [](WorldContender& contender, std::size_t steps) {
         for (std::size_t i = 0; i < steps; ++i) {
             contender.step();
         }
     };
-    for (WorldContender* contender : contenders) {
-        many(*contender, kWarmSteps);
-    }
-    hash = ours->hash();
-    // All go through the same seconds of the scene: what happens in them changes with time. Few bodies step more often
-    // in a turn: none should only warm the caches for itself.
+    // All go through the same seconds of the scene, as what happens in them changes with time. Of many bodies the turns
+    // follow one another; of few each is a run of its own, from the beginning on, and long enough that it is not spent
+    // on bringing back what the one before has driven out of the caches and the branch predictors.
     const std::size_t count = scene.bodies.size();
-    const std::size_t steps = effort.quick ? 1 : std::max<std::size_t>(8, 8000 / count);
+    const bool begins_anew = count <= kFewBodies;
+    const std::size_t steps = effort.quick ? 1 : begins_anew ? kStepsInRun : std::max<std::size_t>(8, 8000 / count);
+    std::vector<Staged> contenders(stages.size());
     std::vector<Job> jobs;
-    for (WorldContender* contender : contenders) {
-        jobs.push_back({[contender, steps, many] { many(*contender, steps); }, count * steps});
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const auto begin = [&, i] {
+            contenders[i].reset(); // so that there are never two
+            contenders[i] = stages[i]();
+            many(*contenders[i], kWarmSteps);
+        };
+        begin();
+        jobs.push_back({[&, i] { many(*contenders[i], steps); }, count * steps, nullptr});
+        if (begins_anew) {
+            jobs.back().prepare = begin;
+        }
     }
+    hash = contenders[0]->hash();
     const auto samples = interleave(jobs, effort);
     Figures figures{median(samples[0]), median(samples[1]), kNan, medianRatio(samples[1], samples[0]), kNan};
     if (soft) {
