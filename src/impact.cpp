@@ -386,6 +386,9 @@ Vec3 impactVelocity(const Impact& impact, const Shape& shape, double t, double e
 
 Vec3 velocityAfter(const Impact& impact, double end) {
     const MovingFrame& frame = impact.surface.frame;
+    if (!frame.moves()) {
+        return Vec3(0.0) + frame.orientation * impact.velocity_out;
+    }
     const Vec3 contact = frame.worldFromFrame(end, impact.surface.point + impact.skims * (end - impact.begun));
     return frame.velocityAt(end, contact) + frame.orientationAt(end) * impact.velocity_out;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
+#include <variant>
 
 namespace elastoon {
 
@@ -81,13 +83,24 @@ Flight MatrixTable::flight(std::size_t slot) const {
     return flight;
 }
 
+namespace {
+
+/// Room for the flight that is given back and, mostly, taken again soon after.
+thread_local Boxed<Flight> spare;
+
+} // namespace
+
 bool MatrixTable::giveBack(std::size_t slot, Phase& phase) const {
     const bool taken = isTaken(phase);
     if (taken) {
-        Flight& flight = phase.motion.emplace<Boxed<Flight>>().edit();
+        Flight& flight = phase.motion.emplace<Boxed<Flight>>(std::move(spare)).edit();
         blocks_[slot / kLanes].lanes.get(slot % kLanes, gravity_, flight);
     }
     return taken;
+}
+
+void MatrixTable::takeAgain(Phase& phase) {
+    spare = std::exchange(std::get<Boxed<Flight>>(phase.motion), {});
 }
 
 bool MatrixTable::canBeTaken(const Phase& phase) {
@@ -144,13 +157,15 @@ void MatrixTable::takeFlights(std::size_t index, double t, LargeArray<BodySlot>&
     Block& block = blocks_[index];
     static constexpr std::array<Change, kLanes> kNone{};
     if (std::memcmp(changes, kNone.data(), kLanes) != 0) {
+        Some changed = 0;
         for (std::size_t i = 0; i < std::min(kLanes, bodies.size() - begin); ++i) {
-            if (changes[i] != Change::None) {
-                const bool known = changes[i] != Change::Unknown;
-                block.set(i, known ? changes[i] : look(begin + i, bodies[begin + i], t));
-                changes[i] = Change::None;
-            }
+            changed |= (changes[i] != Change::None ? Some{1} : Some{0}) << i;
         }
+        forEach(changed, 0, [&](std::size_t i) {
+            const bool known = changes[i] != Change::Unknown;
+            block.set(i, known ? changes[i] : look(begin + i, bodies[begin + i], t));
+            changes[i] = Change::None;
+        });
     }
     forEach(block.to_take, begin, [&](std::size_t slot) {
         Phase& phase = bodies[slot].phase;

@@ -46,7 +46,7 @@ public:
     /// Puts it back; false where it was not taken. For different slots at the same time, too.
     bool giveBack(std::size_t slot, Phase& phase) const;
     /// The phase, of which the flight was given back, is as it was.
-    static void takeAgain(Phase& phase) { phase.motion = Boxed<Flight>{}; }
+    static void takeAgain(Phase& phase);
     /// The body has begun this phase, or changed it. Takes a flight that needs no push from time t on.
     void begun(std::size_t slot, Phase& phase, double t);
     /// What giveBack() will read.

@@ -18,7 +18,7 @@ Box grown(const Box& box, double by) {
 
 double largestIn(const Box& box) {
     const Vec3 most = glm::max(glm::abs(box.low), glm::abs(box.high));
-    return std::max({most.x, most.y, most.z});
+    return std::max(std::max(most.x, most.y), most.z);
 }
 
 /// Rounding of positions between the ends of a span of time, as a share of what they are made from.
