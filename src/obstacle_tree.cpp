@@ -45,13 +45,29 @@ double unionArea(const Box& a, const Box& b) {
 int ObstacleTree::makeNode() {
     if (free_.empty()) {
         nodes_.emplace_back();
-        forks_.emplace_back();
         return static_cast<int>(nodes_.size()) - 1;
     }
     const int node = free_.back();
     free_.pop_back();
     at(node) = Node{};
     return node;
+}
+
+int ObstacleTree::makeInner() {
+    const int node = makeNode();
+    if (free_forks_.empty()) {
+        at(node).index = static_cast<std::uint32_t>(forks_.size());
+        forks_.emplace_back();
+    } else {
+        at(node).index = free_forks_.back();
+        free_forks_.pop_back();
+    }
+    return node;
+}
+
+void ObstacleTree::freeInner(int node) {
+    free_forks_.push_back(at(node).index);
+    free_.push_back(node);
 }
 
 int ObstacleTree::makeLeaf(std::size_t index, const Box& box) {
@@ -94,15 +110,15 @@ void ObstacleTree::refit(int node) {
     const Node& b = at(here.children[1]);
     here.box = unionOf(a.box, b.box);
     here.height = 1 + std::max(a.height, b.height);
-    Fork& fork = forks_[asSize(node)];
+    Fork& fork = forks_[here.index];
     fork = Fork{};
     for (const int child : here.children) {
         if (at(child).isLeaf()) {
-            fork.add(~child, outwards(at(child).box));
+            fork.add(readAs(child), outwards(at(child).box));
             continue;
         }
         for (const int grandchild : at(child).children) {
-            fork.add(at(grandchild).isLeaf() ? ~grandchild : grandchild, outwards(at(grandchild).box));
+            fork.add(readAs(grandchild), outwards(at(grandchild).box));
         }
     }
 }
@@ -115,12 +131,12 @@ ObstacleTree::Fork::Fork() {
     }
 }
 
-void ObstacleTree::Fork::add(int node, const FloatBox& box) {
+void ObstacleTree::Fork::add(int what, const FloatBox& box) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         low[axis][count] = box.low[axis];
         high[axis][count] = box.high[axis];
     }
-    below[count++] = node;
+    below[count++] = what;
 }
 
 unsigned ObstacleTree::Fork::meeting(const FloatBox& box) const {
@@ -184,7 +200,7 @@ void ObstacleTree::addLeaf(int leaf) {
     }
     const int sibling = bestSibling(at(leaf).box);
     const int above = at(sibling).parent;
-    const int parent = makeNode();
+    const int parent = makeInner();
     replaceChild(above, sibling, parent);
     setChild(parent, 0, sibling);
     setChild(parent, 1, leaf);
@@ -200,7 +216,7 @@ void ObstacleTree::dropLeaf(int leaf) {
     const int sibling = at(parent).children[at(parent).children[0] == leaf ? 1 : 0];
     const int above = at(parent).parent;
     replaceChild(above, parent, sibling);
-    free_.push_back(parent);
+    freeInner(parent);
     refitUpwards(above);
 }
 
@@ -322,7 +338,7 @@ void ObstacleTree::build(std::span<const IndexedBox> boxes) {
         }
     }
     nodes_.reserve(2 * leaves.size());
-    forks_.reserve(2 * leaves.size());
+    forks_.reserve(leaves.size());
     if (!leaves.empty()) {
         split(leaves, kNone, 0);
     }
@@ -399,7 +415,7 @@ void ObstacleTree::split(std::span<int> leaves, int parent, int slot) {
     while (!todo.empty()) {
         const Part part = todo.back();
         todo.pop_back();
-        const int node = part.leaves.size() == 1 ? part.leaves[0] : makeNode();
+        const int node = part.leaves.size() == 1 ? part.leaves[0] : makeInner();
         if (part.parent == kNone) {
             root_ = node;
             setParent(node, kNone);

@@ -95,7 +95,7 @@ private:
         int parent = kNone;
         int children[2] = {kNone, kNone}; ///< none: a leaf
         int height = 0; ///< of a leaf 0
-        std::uint32_t index = 0; ///< of a leaf
+        std::uint32_t index = 0; ///< of a leaf its own; of others that of the fork
 
         [[nodiscard]] bool isLeaf() const { return children[0] == kNone; }
     };
@@ -109,12 +109,12 @@ private:
     /// cache. So it reads every other level alone.
     struct alignas(64) Fork {
         std::array<std::array<float, kFork>, 3> low, high;
-        std::array<int, kFork> below{}; ///< of leaves the complement
+        std::array<int, kFork> below{}; ///< their forks; of leaves the node's complement
         std::size_t count = 0;
 
         /// Nothing meets what is not there.
         Fork();
-        void add(int node, const FloatBox& box);
+        void add(int what, const FloatBox& box);
         [[nodiscard]] FloatBox box(std::size_t i) const {
             return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
         }
@@ -126,12 +126,16 @@ private:
     static Box wide(const FloatBox& box) {
         return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
     }
+    /// As Fork::below has it.
+    [[nodiscard]] int readAs(int node) const { return at(node).isLeaf() ? ~node : static_cast<int>(at(node).index); }
     static std::size_t asSize(int i) { return static_cast<std::size_t>(i); }
     static bool sweepMeets(const Box& box, const Vec3& way, const Box& other);
     Node& at(int node) { return nodes_[asSize(node)]; }
     [[nodiscard]] const Node& at(int node) const { return nodes_[asSize(node)]; }
 
     int makeNode();
+    int makeInner();
+    void freeInner(int node);
     int makeLeaf(std::size_t index, const Box& box);
     [[nodiscard]] int bestSibling(const Box& box) const;
     void addLeaf(int leaf);
@@ -163,7 +167,7 @@ private:
     std::size_t walk(MayMeet&& may_meet, Meets&& meets, Visitor&& visitor) const {
         std::size_t looked_at = 0;
         if (root_ != kNone) {
-            walkFrom(at(root_).isLeaf() ? ~root_ : root_, may_meet, meets, visitor, looked_at);
+            walkFrom(readAs(root_), may_meet, meets, visitor, looked_at);
         }
         return looked_at;
     }
@@ -208,8 +212,9 @@ private:
     }
 
     LargeArray<Node> nodes_;
-    LargeArray<Fork> forks_; ///< by node; of leaves unused
+    LargeArray<Fork> forks_;
     std::vector<int> free_;
+    std::vector<std::uint32_t> free_forks_;
     LargeArray<int> leaf_of_; ///< by index
     int root_ = kNone;
     std::size_t count_ = 0;
