@@ -58,9 +58,9 @@ struct Lying {
     std::array<Row, 4> turn; ///< w, x, y, z
     std::array<Row, 3> position;
     std::array<Row, 3> down; ///< into the plane, in the shape, times the stretch's root: as reachTowards() has it
-    Row reach; ///< of the shape that way
-    Row lift; ///< where it is lifted onto a solid
-    Row on_solid; ///< 1, else 0
+    Row reach{}; ///< of the shape that way
+    Row lift{}; ///< where it is lifted onto a solid
+    Row on_solid{}; ///< 1, else 0
 };
 
 struct SineCosine {
@@ -194,7 +194,7 @@ void findLifts(const ImpactLanes& in, std::size_t count, Lying& lying) {
 } // namespace
 
 void poseImpacts(const ImpactLanes& in, std::size_t count, double t, Columns& out) {
-    Lying lying{};
+    Lying lying;
 #if defined(__x86_64__)
     static const bool kWide = __builtin_cpu_supports("avx2");
     kWide ? lieWide(in, t, lying) : lieHere(in, t, lying);

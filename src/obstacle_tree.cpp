@@ -318,6 +318,12 @@ bool ObstacleTree::remove(std::size_t index) {
     return true;
 }
 
+void ObstacleTree::meeting(const Box& box, std::vector<std::size_t>& found) const {
+    found.clear();
+    query(box, [&](std::size_t index) { found.push_back(index); });
+    std::sort(found.begin(), found.end());
+}
+
 void ObstacleTree::clear() {
     *this = ObstacleTree{};
 }

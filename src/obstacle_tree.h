@@ -4,7 +4,6 @@
 #include "elastoon/math.h"
 #include "large_array.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -81,11 +80,7 @@ public:
         return walk(mayMeet, meets, visitor);
     }
     /// The indices whose boxes meet this one, ascending, in place of what `found` held.
-    void meeting(const Box& box, std::vector<std::size_t>& found) const {
-        found.clear();
-        query(box, [&](std::size_t index) { found.push_back(index); });
-        std::sort(found.begin(), found.end());
-    }
+    void meeting(const Box& box, std::vector<std::size_t>& found) const;
 
 private:
     static constexpr int kNone = -1;

@@ -67,17 +67,15 @@ void Surroundings::near(const Phase& phase, const Shape& shape, double from, dou
         solids.meeting(box, found);
     }
     const std::size_t solid_count = found.size();
-    found.resize(solid_count + planes.size());
-    std::size_t count = solid_count;
     const Vec3 middle = 0.5 * (box.low + box.high);
     const Vec3 half = 0.5 * (box.high - box.low);
     for (const Plane& plane : planes) {
         const bool reached = glm::dot(plane.normal, middle) - plane.offset <= glm::dot(glm::abs(plane.normal), half);
-        found[count] = plane.slot; // without a branch: nobody can foresee which are
-        count += static_cast<std::size_t>(reached | plane.moves);
+        if (reached || plane.moves) {
+            found.push_back(plane.slot);
+        }
     }
-    found.resize(count);
-    if (solid_count > 0 && count > solid_count) {
+    if (solid_count > 0 && found.size() > solid_count) {
         std::sort(found.begin(), found.end());
     }
 }

@@ -93,12 +93,11 @@ std::optional<Overlap> World::Impl::overlap(const Shape& shape, const Pose& pose
     std::optional<Overlap> worst;
     double deepest = 1e-6 * shape.length();
     std::vector<std::size_t> candidates;
+    const double reach = glm::length(scaleOf(pose.stretch)) * shape.boundingRadius();
+    around.solids.meeting({pose.position - reach, pose.position + reach}, candidates);
     for (const Surroundings::Plane& plane : around.planes) {
         candidates.push_back(plane.slot);
     }
-    const double reach = glm::length(scaleOf(pose.stretch)) * shape.boundingRadius();
-    around.solids.query({pose.position - reach, pose.position + reach},
-                        [&](std::size_t slot) { candidates.push_back(slot); });
     std::sort(candidates.begin(), candidates.end());
     for (const std::size_t i : candidates) {
         const auto found = overlapWith(i, shape, pose);

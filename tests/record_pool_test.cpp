@@ -41,7 +41,7 @@ void useRooms(std::uint64_t seed, std::vector<Room>& rooms) {
     for (int i = 0; i < 20000; ++i) {
         const bool takes = rooms.empty() || random.uniform(0.0, 1.0) < (i / 4000 % 2 == 0 ? 0.7 : 0.3);
         if (takes) {
-            const auto bytes = static_cast<std::size_t>(1 + random.below(800));
+            const auto bytes = std::size_t{1} + static_cast<std::size_t>(random.below(800));
             rooms.push_back(takeRoom(bytes, static_cast<unsigned char>(random.below(256))));
         } else {
             std::swap(rooms[static_cast<std::size_t>(random.below(static_cast<int>(rooms.size())))], rooms.back());
