@@ -130,6 +130,7 @@ void Shared::giveOne(Free* room, std::size_t size) {
 struct Own {
     std::array<List, kSizes> using_now; ///< up to a batch
     std::array<List, kSizes> spare; ///< likewise; so who takes and gives by turns does not go to the shared ones
+    bool awaits_end = false; ///< AtEnd is made
     bool at_end = false; ///< the thread ends: what comes now is shared at once
 };
 
@@ -154,14 +155,22 @@ struct AtEnd {
 
 thread_local AtEnd at_end;
 
+/// To be called before a list that was empty is not.
+void awaitEnd() {
+    if (!own.awaits_end) {
+        own.awaits_end = true;
+        at_end.await();
+    }
+}
+
 void refill(std::size_t size) {
     List& list = own.using_now[size];
     if (own.spare[size].count != 0) {
         std::swap(list, own.spare[size]);
         return;
     }
+    awaitEnd();
     list = shared.take(size);
-    at_end.await();
 }
 
 /// The list is a batch.
@@ -172,7 +181,6 @@ void makeRoom(std::size_t size) {
         spare = {};
     }
     std::swap(spare, own.using_now[size]);
-    at_end.await();
 }
 
 } // namespace
@@ -210,6 +218,7 @@ void giveRecordRoom(void* room, std::size_t bytes) noexcept {
     if (list.count == kBatch) {
         makeRoom(size);
     }
+    awaitEnd();
     free->next = list.first;
     list.first = free;
     ++list.count;
