@@ -6,7 +6,6 @@
 #include "elastoon/ids.h"
 #include "elastoon/math.h"
 #include "elastoon/model.h"
-#include "elastoon/record_pool.h"
 #include "elastoon/shape.h"
 
 #include <atomic>
@@ -65,10 +64,6 @@ enum class AxisRule : std::uint8_t {
     Fixed, ///< nothing turns it: no speed and no gravity
 };
 
-/// Of such there is one with each bounce, and never one for each body, so the room for them is kept for the next.
-template <class T>
-inline constexpr bool kComesAndGoes = false;
-
 /// A value kept apart, which its copies share until one of them is changed; where it is T{} it may take no room.
 template <class T>
 class Boxed {
@@ -106,12 +101,6 @@ public:
 private:
     struct Box {
         explicit Box(const T& given) : value(given) {}
-        static void* operator new(std::size_t bytes) {
-            return kComesAndGoes<T> ? takeRecordRoom(bytes) : ::operator new(bytes);
-        }
-        static void operator delete(void* room) noexcept {
-            kComesAndGoes<T> ? giveRecordRoom(room, sizeof(Box)) : ::operator delete(room);
-        }
         T value;
         std::atomic<std::uint32_t> owners{1};
     };
@@ -144,10 +133,6 @@ struct Flight {
     Vec3 up{0.0, 1.0, 0.0}; ///< against gravity
     Boxed<Ease> ease; ///< mostly none
 };
-
-struct Impact;
-template <>
-inline constexpr bool kComesAndGoes<Impact> = true;
 
 /// Squash and stretch against a surface, turning about the contact. Lives in the frame of the surface.
 struct Impact {
@@ -195,7 +180,7 @@ struct KeptClear {
     bool presses = false; ///< it closes on the body from the other side, which flattens where nothing else helps
 };
 
-using KeptClearList = std::vector<KeptClear, RecordAllocator<KeptClear>>;
+using KeptClearList = std::vector<KeptClear>;
 
 /// One phase of one body: immutable once made.
 struct Phase {
