@@ -387,6 +387,7 @@ Vec3 impactVelocity(const Impact& impact, const Shape& shape, double t, double e
 Vec3 velocityAfter(const Impact& impact, double end) {
     const MovingFrame& frame = impact.surface.frame;
     if (!frame.moves()) {
+        // The sum is that of below, to the bit: it turns -0 into 0.
         return Vec3(0.0) + frame.orientation * impact.velocity_out;
     }
     const Vec3 contact = frame.worldFromFrame(end, impact.surface.point + impact.skims * (end - impact.begun));

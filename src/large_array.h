@@ -1,10 +1,11 @@
-// Arrays of something for each body or obstacle, in huge pages as soon as they are large.
+// Arrays of something for each body or obstacle: of a million they are read here and there, and with small pages the
+// processor would look up where a page is about as often as what is in it.
 #pragma once
 
 #include <vector>
 
 #if defined(__linux__)
-#include "huge_pages.h"
+#include <sys/mman.h>
 
 #include <cstddef>
 #include <new>
@@ -27,7 +28,8 @@ public:
         const std::size_t bytes = count * sizeof(T);
         void* room = ::operator new(bytes, alignmentOf(bytes));
         if (isLarge(bytes)) {
-            askForHugePages(room, bytes);
+            // It may refuse; then the pages are small.
+            (void)madvise(room, bytes - bytes % kPage, MADV_HUGEPAGE);
         }
         return static_cast<T*>(room);
     }
@@ -36,9 +38,10 @@ public:
     bool operator==(const LargePages&) const = default;
 
 private:
-    [[nodiscard]] static bool isLarge(std::size_t bytes) { return bytes >= 2 * kHugePage; }
+    static constexpr std::size_t kPage = std::size_t{2} << 20U;
+    [[nodiscard]] static bool isLarge(std::size_t bytes) { return bytes >= 2 * kPage; }
     [[nodiscard]] static std::align_val_t alignmentOf(std::size_t bytes) {
-        return std::align_val_t{isLarge(bytes) ? kHugePage : alignof(T)};
+        return std::align_val_t{isLarge(bytes) ? kPage : alignof(T)};
     }
 };
 

@@ -204,7 +204,7 @@ void Moment::touchInSlide(const Met& met) {
 }
 
 /// False where the body is parting from the surface and not slow.
-bool Moment::beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, KeptClearList waiting) {
+bool Moment::beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, std::vector<KeptClear> waiting) {
     if (beginSlideOn(met, pose, velocity, false, waiting)) {
         return true;
     }
@@ -300,8 +300,8 @@ void Moment::blend(Phase& phase) const {
 }
 
 /// Of what waits: what closes on the body from the other side.
-KeptClearList Moment::pressingOn(const Surface& surface) const {
-    KeptClearList pressing;
+std::vector<KeptClear> Moment::pressingOn(const Surface& surface) const {
+    std::vector<KeptClear> pressing;
     const Vec3 normal = surface.normalAt(t_);
     for (const KeptClear& kept : body_.phase.clear_of) {
         const Vec3 other = kept.surface.normalAt(t_);
@@ -336,7 +336,7 @@ bool Moment::meetNextWaiting(const Impact& impact) {
         if (distance.gap > kTouched * body_.shape->length() || glm::dot(velocity - carried, normal) >= 0.0) {
             continue;
         }
-        KeptClearList waiting;
+        std::vector<KeptClear> waiting;
         Surface left = impact.surface.solid ? separatingPlane(impact.surface, *body_.shape, pose, t_) : impact.surface;
         waiting.push_back({left, phase.obstacle, t_});
         for (std::size_t k = 0; k < phase.clear_of.size(); ++k) {
@@ -352,7 +352,7 @@ bool Moment::meetNextWaiting(const Impact& impact) {
     return false;
 }
 
-void Moment::restOn(const Impact& impact, const KeptClearList& pressing) {
+void Moment::restOn(const Impact& impact, const std::vector<KeptClear>& pressing) {
     const Pose pose = this->pose();
     const MovingFrame& frame = impact.surface.frame;
     Rest rest;
@@ -391,7 +391,7 @@ void Moment::steer(const Vec3& velocity) {
 void Moment::endImpact() {
     const Phase& phase = body_.phase;
     const auto& impact = phase.get<Impact>();
-    const KeptClearList pressing = pressingOn(impact.surface);
+    const std::vector<KeptClear> pressing = pressingOn(impact.surface);
     // One that found no room to go on has not come to its resting form.
     const bool whole = impact.comes_to_rest && t_ >= impact.begun + impact.curve.duration() &&
                        std::fabs(pose().stretch - impact.curve.s_out) < kSameForm;

@@ -208,7 +208,7 @@ void planAhead(const Surroundings& around, BodySlot& body, double from) {
     }
     // What was left long ago, and an ease that is over, take no more room.
     if (!body.phase.clear_of.empty() && hasLeftAll(body.phase, begin)) {
-        KeptClearList().swap(body.phase.clear_of);
+        std::vector<KeptClear>().swap(body.phase.clear_of);
     }
     const auto* flight = body.phase.as<Flight>();
     if (flight != nullptr && !flight->ease.isUsual() && begin >= start + flight->ease->span) {

@@ -198,15 +198,15 @@ private:
     [[nodiscard]] Pose pose() const { return poseAt(body_.phase, *body_.shape, t_); }
     [[nodiscard]] Vec3 velocity() const { return velocityAt(body_.phase, *body_.shape, t_); }
     void note(EventType type, ObstacleId other, const Surface& surface, double speed, const ImpactCurve& curve);
-    bool beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, KeptClearList waiting);
+    bool beginImpactWith(const Met& met, const Pose& pose, const Vec3& velocity, std::vector<KeptClear> waiting);
     [[nodiscard]] Touching touchingOf(const Met& met, const Pose& pose, const Vec3& velocity,
                                       std::span<const KeptClear> waiting) const;
     bool beginSlideOn(const Met& met, const Pose& pose, const Vec3& velocity, bool goes_on,
                       std::span<const KeptClear> waiting);
     void blend(Phase& phase) const;
     bool meetNextWaiting(const Impact& impact);
-    void restOn(const Impact& impact, const KeptClearList& pressing);
-    [[nodiscard]] KeptClearList pressingOn(const Surface& surface) const;
+    void restOn(const Impact& impact, const std::vector<KeptClear>& pressing);
+    [[nodiscard]] std::vector<KeptClear> pressingOn(const Surface& surface) const;
     [[nodiscard]] double leastPartingSpeed(const Surface& surface) const;
 
     const Surroundings& around_;

@@ -301,7 +301,7 @@ std::optional<double> firstTouch(const Phase& flight, const Shape& shape, const 
 
 void findFreeFrom(Phase& flight, const Shape& shape) {
     // Without what it is kept clear of the phase is on its own way.
-    KeptClearList clear_of = std::exchange(flight.clear_of, {});
+    std::vector<KeptClear> clear_of = std::exchange(flight.clear_of, {});
     double free_from = flight.start;
     for (const KeptClear& kept : clear_of) {
         const double span = kept.until - flight.start;

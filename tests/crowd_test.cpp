@@ -296,7 +296,7 @@ void Crowd::lookAtPose(BodyId body, const Pose& pose, double t) {
         lookAtPair(*world_.shape(body), pose, thing, t);
     }
     const Style& style = world_.style(body);
-    const KeptClearList clear_of = world_.phase(body).clear_of;
+    const std::vector<KeptClear> clear_of = world_.phase(body).clear_of;
     for (const KeptClear& kept : clear_of) {
         if (kept.presses) {
             squeezed_[body.slot] = t;

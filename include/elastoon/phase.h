@@ -180,15 +180,13 @@ struct KeptClear {
     bool presses = false; ///< it closes on the body from the other side, which flattens where nothing else helps
 };
 
-using KeptClearList = std::vector<KeptClear>;
-
 /// One phase of one body: immutable once made.
 struct Phase {
     double start = 0.0;
     double end =
         std::numeric_limits<double>::infinity(); ///< its own end, as far as it is known; an event may come before
     ObstacleId obstacle; ///< that an impact, rest or slide is against, or that a flight has just left
-    KeptClearList clear_of; ///< a flight gives them up some time after it has left them all
+    std::vector<KeptClear> clear_of; ///< a flight gives them up some time after it has left them all
     /// From here on a flight needs no move to be clear of `clear_of`: its pose is its own.
     double free_from = std::numeric_limits<double>::infinity();
     std::variant<Boxed<Flight>, Boxed<Impact>, Boxed<Rest>, Boxed<Slide>> motion;
