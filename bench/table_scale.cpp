@@ -2,11 +2,10 @@
 #include "tables.h"
 #include "worlds.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace elastoon {
